@@ -1,0 +1,24 @@
+#pragma once
+// An automaton as a picture for people, in the DOT language of Graphviz.
+
+#include <folk/strategies/automaton.h>
+
+#include <string>
+
+namespace folk {
+
+struct DrawingOptions {
+  std::string title;                       ///< name of the strategy
+  Sense sense = Sense::own_moves_its_own;  ///< the sense in which the automaton was minimised
+  unsigned horizon = 0;                    ///< rounds that were unrolled, for the caption; 0: none
+};
+
+/// The DOT text of a minimised automaton.
+///
+/// A circle is a state and holds its move, or P(C) where it mixes; an arrow without origin marks the start. Edges are
+/// labelled with the opponent's move, or with "own/their" moves throughout when some state's successor depends on its
+/// own move; parallel edges are one. A dashed circle is visited at most once (an opening, or a step on the way to a
+/// state that is never left). The state beyond a horizon is drawn as "…". The caption says which sense the drawing has.
+std::string to_dot(const Automaton& minimised, const DrawingOptions& options);
+
+}  // namespace folk

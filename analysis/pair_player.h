@@ -1,0 +1,56 @@
+#pragma once
+// Chooses for each pair of a roster the most exact way to play it.
+
+#include <folk/analysis/cycle_table.h>
+#include <folk/analysis/pair_result.h>
+#include <folk/analysis/sampled_play.h>
+#include <folk/strategies/automaton.h>
+#include <folk/strategies/strategy.h>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace folk {
+
+/// A roster made ready for play: finite machines as minimal tables, entrants that behave alike as one behaviour.
+class PairPlayer {
+public:
+  /// `roster` must outlive this. `workers` is how many threads will call play at once.
+  PairPlayer(const std::vector<Strategy>& roster, const Sampling& sampling, unsigned workers);
+
+  /// The behaviour of each entrant.
+  const std::vector<std::size_t>& behaviour_of() const { return behaviour_of_; }
+
+  /// The first entrant of each behaviour.
+  const std::vector<std::size_t>& behaviours() const { return behaviours_; }
+
+  /// True when some pair may have to be sampled.
+  bool may_sample() const { return chance_; }
+
+  /// The pair of two behaviours: by cycles where both are deterministic and nothing slips, else by their Markov chain
+  /// where both are finite (or the rounds are) and it is small enough, else by sampling.
+  /// Throws UsageError with both names where none of the three can be had.
+  PairResult play(std::size_t a, std::size_t b, unsigned worker);
+
+private:
+  struct Prepared {
+    std::optional<Automaton> automaton;
+    std::optional<CycleTable> cycles;
+  };
+
+  Prepared prepare(const Strategy& strategy) const;
+  std::optional<Automaton> table_of(const Machine& machine) const;
+  PairResult play_best(std::size_t a, std::size_t b, unsigned worker);
+
+  const std::vector<Strategy>& roster_;
+  Sampling sampling_;
+  Sense sense_;
+  bool chance_;                     // something mixes or slips, so that Markov chains are needed
+  std::vector<Prepared> prepared_;  // by behaviour
+  std::vector<std::size_t> behaviour_of_;
+  std::vector<std::size_t> behaviours_;
+  std::vector<CycleFinder> finders_;  // one a worker
+};
+
+}  // namespace folk

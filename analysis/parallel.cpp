@@ -1,0 +1,50 @@
+#include <folk/analysis/parallel.h>
+
+#include <algorithm>
+#include <atomic>
+#include <boost/asio/post.hpp>
+#include <boost/asio/thread_pool.hpp>
+#include <exception>
+#include <mutex>
+
+namespace folk {
+
+void parallel_for(std::size_t count, unsigned threads, const std::function<void(std::size_t, unsigned)>& work,
+                  const std::function<void(double)>& progress) {
+  std::atomic<std::size_t> next{0};
+  std::atomic<bool> stopped{false};
+  std::mutex mutex;
+  std::size_t done = 0;
+  std::size_t failed_at = count;
+  std::exception_ptr failure;
+  const auto run = [&](unsigned worker) {
+    for (std::size_t i = next++; i < count && !stopped; i = next++) {
+      try {
+        work(i, worker);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        stopped = true;
+        if (i < failed_at) {
+          failed_at = i;
+          failure = std::current_exception();
+        }
+      }
+      if (progress) {
+        const std::lock_guard lock(mutex);
+        progress(static_cast<double>(++done) / static_cast<double>(count));
+      }
+    }
+  };
+  const auto workers =
+      static_cast<unsigned>(std::min<std::size_t>(std::max(1U, threads), std::max<std::size_t>(1, count)));
+  if (workers == 1) {
+    run(0);
+  } else {
+    boost::asio::thread_pool pool(workers);
+    for (unsigned worker = 0; worker < workers; ++worker) boost::asio::post(pool, [&run, worker] { run(worker); });
+    pool.join();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace folk

@@ -1,0 +1,65 @@
+# How every target of Folk is built, and how the package is installed.
+
+# An include line is <folk/games/match.h> in the tree as in an installed copy: the build folder holds a link to the tree.
+set(FOLK_INCLUDE_ROOT ${PROJECT_BINARY_DIR}/include)
+file(MAKE_DIRECTORY ${FOLK_INCLUDE_ROOT})
+file(CREATE_LINK ${PROJECT_SOURCE_DIR} ${FOLK_INCLUDE_ROOT}/folk SYMBOLIC)
+
+include(CheckCXXCompilerFlag)
+check_cxx_compiler_flag(-march=native FOLK_HAS_MARCH_NATIVE)
+
+function(folk_compile_options target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+    # False alarms of GCC 12 in other people's headers: std::string (bug 105329), its own AVX-512 intrinsics under Eigen
+    # (bug 105593) and Boost's cpp_int.
+    target_compile_options(${target} PRIVATE -Wno-restrict -Wno-maybe-uninitialized)
+  endif()
+  if(FOLK_WERROR)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(NOT FOLK_PORTABLE AND FOLK_HAS_MARCH_NATIVE)
+    target_compile_options(${target} PRIVATE -march=native)
+  endif()
+endfunction()
+
+# folk_library(games DEPENDS fmt::fmt): the library of this folder, folk::games, from all its sources.
+function(folk_library name)
+  cmake_parse_arguments(ARG "" "" "DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  file(GLOB headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
+  add_library(folk_${name} ${sources} ${headers})
+  add_library(folk::${name} ALIAS folk_${name})
+  set_target_properties(folk_${name} PROPERTIES EXPORT_NAME ${name})
+  folk_compile_options(folk_${name})
+  target_include_directories(folk_${name} PUBLIC $<BUILD_INTERFACE:${FOLK_INCLUDE_ROOT}>
+                                                 $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_link_libraries(folk_${name} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE_DEPENDS})
+  if(FOLK_INSTALL)
+    install(TARGETS folk_${name} EXPORT FolkTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+                                                    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/folk/${name})
+  endif()
+endfunction()
+
+# folk_program(ipd-match ipd_match.cpp): a program in build/bin/.
+function(folk_program name)
+  add_executable(${name} ${ARGN})
+  folk_compile_options(${name})
+  target_link_libraries(${name} PRIVATE folk_program_support)
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+  if(FOLK_INSTALL)
+    install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  endif()
+endfunction()
+
+function(folk_install_package)
+  include(CMakePackageConfigHelpers)
+  configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/FolkConfig.cmake.in ${PROJECT_BINARY_DIR}/FolkConfig.cmake
+                                INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Folk)
+  write_basic_package_version_file(${PROJECT_BINARY_DIR}/FolkConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+  install(FILES ${PROJECT_BINARY_DIR}/FolkConfig.cmake ${PROJECT_BINARY_DIR}/FolkConfigVersion.cmake
+          DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Folk)
+  install(EXPORT FolkTargets NAMESPACE folk:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Folk)
+endfunction()

@@ -1,0 +1,97 @@
+#include <folk/games/error.h>
+#include <folk/games/text_file.h>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+
+namespace folk {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void refuse(const fs::path& path, const std::string& why) {
+  throw InputFileError(fmt::format("{}: {}", excerpt(path.string(), 1000), why));
+}
+
+[[noreturn]] void fail(const fs::path& path, const std::string& why) {
+  throw EnvironmentError(fmt::format("{}: cannot be written: {}", excerpt(path.string(), 1000), why));
+}
+
+/// Where a write to `path` ends up: a symbolic link stays one, the file it names is replaced.
+fs::path behind_links(const fs::path& path) {
+  std::error_code error;
+  const fs::path real = fs::canonical(path, error);
+  return error ? path : real;
+}
+
+/// Writes in place.
+void write_through(const fs::path& path, const fs::path& shown, const std::function<void(std::ostream&)>& content) {
+  errno = 0;
+  std::ofstream file(path, std::ios::binary | std::ios::trunc);
+  if (!file) fail(shown, std::strerror(errno));
+  content(file);
+  errno = 0;
+  file.close();
+  if (!file) fail(shown, errno != 0 ? std::strerror(errno) : "the disk is full or failing");
+}
+
+}  // namespace
+
+std::string read_text_file(const fs::path& path) {
+  const std::string too_large =
+      fmt::format("larger than {} MiB, which no file of this kind is; check the name", largest_text_file >> 20U);
+  std::error_code error;
+  const auto status = fs::status(path, error);
+  if (status.type() == fs::file_type::not_found) refuse(path, "no such file; check the name");
+  if (!fs::exists(status)) refuse(path, "cannot be opened: " + error.message());
+  if (fs::is_directory(status)) refuse(path, "is a directory, not a file; name a file in it");
+  if (fs::is_regular_file(status) && fs::file_size(path, error) > largest_text_file) refuse(path, too_large);
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) refuse(path, std::string("cannot be opened: ") + std::strerror(errno));
+  // Pipes have no size: read up to the limit and refuse what is longer.
+  std::string text;
+  char block[65536];
+  while (file.read(block, sizeof block), file.gcount() > 0) {
+    text.append(block, static_cast<std::size_t>(file.gcount()));
+    if (text.size() > largest_text_file) refuse(path, too_large);
+  }
+  if (file.bad()) refuse(path, "cannot be read");
+  return text;
+}
+
+void write_file(const fs::path& path, const std::function<void(std::ostream&)>& content) {
+  std::error_code error;
+  const auto status = fs::status(path, error);
+  if (fs::is_directory(status)) fail(path, "it is a directory; name a file in it");
+  const fs::path target = behind_links(path);
+  // A device or a pipe (/dev/null, /dev/stdout) is written to; a rename would put a file in its place.
+  if (fs::exists(status) && !fs::is_regular_file(status)) return write_through(target, path, content);
+
+  // The process and a counter in the name keep two writers of one path apart.
+  static std::atomic<unsigned> serial{0};
+  const fs::path temporary = target.string() + fmt::format(".{}.{}.tmp", ::getpid(), serial++);
+  std::error_code ignored;
+  try {
+    write_through(temporary, path, content);
+    if (fs::exists(status)) fs::permissions(temporary, status.permissions(), ignored);
+    fs::rename(temporary, target, error);
+    if (error) fail(path, error.message());
+  } catch (...) {
+    fs::remove(temporary, ignored);
+    throw;
+  }
+}
+
+void write_file(const fs::path& path, std::string_view content) {
+  write_file(path, [&](std::ostream& out) { out.write(content.data(), static_cast<std::streamsize>(content.size())); });
+}
+
+}  // namespace folk

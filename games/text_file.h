@@ -1,0 +1,27 @@
+#pragma once
+// Reading and writing whole text files without losing anything.
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <string_view>
+
+namespace folk {
+
+/// No text that Folk reads (games, machines) is larger than this.
+inline constexpr std::size_t largest_text_file = std::size_t{64} << 20U;
+
+/// The file's bytes; a pipe is read to its end. Throws InputFileError when it does not exist, is a directory, is larger
+/// than largest_text_file or cannot be read.
+std::string read_text_file(const std::filesystem::path& path);
+
+/// Writes to a temporary name beside `path` and renames it, so that a reader sees the old file or the whole new one.
+/// A symbolic link stays one and the file it names is replaced; a device or pipe (/dev/null) is written to directly.
+/// Throws EnvironmentError when the folder does not exist or cannot be written, or the disk is full. What `content`
+/// throws is passed on, and the old file stays.
+void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& content);
+void write_file(const std::filesystem::path& path, std::string_view content);
+
+}  // namespace folk

@@ -1,0 +1,50 @@
+#pragma once
+// The moves of one match, two bits a round.
+
+#include <folk/games/move.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace folk {
+
+/// What both players really played, from round 0 on. 32 rounds take 8 bytes.
+class Transcript {
+public:
+  void append(Move first, Move second) {
+    const std::size_t shift = 2 * (rounds_ % 32);
+    if (shift == 0) words_.push_back(0);
+    words_.back() |= static_cast<std::uint64_t>(outcome(first, second)) << shift;
+    ++rounds_;
+    ++counts_[outcome(first, second)];
+  }
+
+  std::size_t rounds() const { return rounds_; }
+  Move first(std::size_t round) const { return move_from_bit(outcome_at(round) >> 1); }
+  Move second(std::size_t round) const { return move_from_bit(outcome_at(round)); }
+
+  /// How often each outcome occurred, the first player's move first: CC, CD, DC, DD.
+  const std::array<std::uint64_t, 4>& counts() const { return counts_; }
+
+  /// The moves of one player as people write them: "CCDC". `seat` is 0 or 1.
+  std::string moves(int seat) const {
+    std::string text;
+    text.reserve(rounds_);
+    for (std::size_t t = 0; t < rounds_; ++t) text += to_char(seat == 0 ? first(t) : second(t));
+    return text;
+  }
+
+private:
+  unsigned outcome_at(std::size_t round) const {
+    return static_cast<unsigned>(words_[round / 32] >> (2 * (round % 32))) & 3U;
+  }
+
+  std::vector<std::uint64_t> words_;
+  std::array<std::uint64_t, 4> counts_{};
+  std::size_t rounds_ = 0;
+};
+
+}  // namespace folk

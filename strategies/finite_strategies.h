@@ -1,0 +1,22 @@
+#pragma once
+// The finite strategies, as data: to add one, add a line to finite_strategies.cpp and its transcript to
+// tests/data/transcripts.csv.
+
+#include <string_view>
+#include <vector>
+
+namespace folk {
+
+/// A finite machine by name. `machine` is a genotype (mem12_ccCCCDCDDD), a word (per_ccd), or the text form of
+/// strategies/machine_text.h on one line: state, move, successors on their C and their D (or on CC CD DC DD).
+struct FiniteStrategy {
+  std::string_view name;
+  std::vector<std::string_view> aliases;
+  std::string_view machine;
+  std::string_view behaviour;
+  std::string_view reference;
+};
+
+const std::vector<FiniteStrategy>& finite_strategies();
+
+}  // namespace folk

@@ -1,0 +1,34 @@
+#pragma once
+// Strategies that mix by the last round alone, zero-determinant ones (Press & Dyson 2012) among them.
+
+#include <folk/games/payoffs.h>
+#include <folk/strategies/automaton.h>
+
+#include <array>
+#include <optional>
+
+namespace folk {
+
+/// C with probability `first`, then with after[outcome of the last round] (CC, CD, DC, DD; own move first).
+/// Throws UsageError when a probability is outside [0, 1].
+Automaton memory_one(double first, const std::array<double, 4>& after);
+
+/// A zero-determinant strategy: own payoff - B = chi (their payoff - B) in the long run.
+enum class Baseline {
+  punishment,  ///< extortion: B = P (Press & Dyson 2012)
+  reward       ///< generosity: B = R (Stewart & Plotkin 2013)
+};
+
+/// The four probabilities of the zero-determinant strategy with this slope.
+/// `phi` scales all of them; by default half of the largest feasible one.
+/// Throws UsageError unless chi >= 1, 0 < phi <= the largest feasible one, and the payoffs are a prisoner's dilemma.
+std::array<double, 4> zero_determinant(const Payoffs& payoffs, Baseline baseline, double chi,
+                                       std::optional<double> phi = std::nullopt);
+
+/// Press & Dyson's equalizer: their long-run payoff is v whatever they play. pCC and pDD are tied by
+/// (1 - pCC)(v - P) = pDD (R - v); what is not given follows, by default from half of the largest feasible scale.
+/// Throws UsageError unless P <= v <= R and all four are probabilities.
+std::array<double, 4> equalizer(const Payoffs& payoffs, double v, std::optional<double> p_cc = std::nullopt,
+                                std::optional<double> p_dd = std::nullopt);
+
+}  // namespace folk

@@ -1,0 +1,49 @@
+#pragma once
+// Whatever plays: told each round, asked for its next move, optionally for its belief.
+
+#include <folk/games/criterion.h>
+#include <folk/games/move.h>
+#include <folk/games/payoffs.h>
+#include <folk/games/random.h>
+
+#include <memory>
+#include <optional>
+
+namespace folk {
+
+/// What a player is told before a match.
+struct MatchStart {
+  Payoffs payoffs;
+  Criterion criterion = Criterion::finite(100);
+  RandomKey random;  ///< the key of this player's own random numbers in this match
+};
+
+/// An opaque player: it is played, never enumerated.
+class Player {
+public:
+  virtual ~Player() = default;
+
+  /// A new match begins; whatever was learnt in an earlier one is forgotten.
+  virtual void start(const MatchStart& match) = 0;
+
+  /// The move of the coming round. Called once a round.
+  virtual Move move() = 0;
+
+  /// What was really played in this round, after any noise.
+  virtual void observe(Move own, Move theirs) = 0;
+
+  /// P(the opponent plays C) in the round that `move` was last called for; nothing for a player without beliefs.
+  virtual std::optional<double> belief() const { return std::nullopt; }
+
+protected:
+  Player() = default;
+  Player(const Player&) = default;
+  Player& operator=(const Player&) = default;
+};
+
+class Machine;
+
+/// A machine as a player; it draws from the match's random key where its state mixes.
+std::unique_ptr<Player> play(std::shared_ptr<const Machine> machine);
+
+}  // namespace folk

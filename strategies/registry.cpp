@@ -1,0 +1,209 @@
+#include <fmt/format.h>
+#include <folk/games/error.h>
+#include <folk/strategies/registry.h>
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <set>
+#include <utility>
+
+namespace folk {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+/// How many letters must be inserted, dropped or changed (Levenshtein).
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j)
+      diagonal = std::exchange(row[j + 1], std::min({row[j + 1] + 1, row[j] + 1, diagonal + (a[i] == b[j] ? 0U : 1U)}));
+  }
+  return row.back();
+}
+
+/// "head(arguments)" split at the first parenthesis; no arguments when there is none.
+struct Call {
+  std::string_view head;
+  std::optional<std::string_view> arguments;
+};
+
+Call split_call(std::string_view name) {
+  const auto open = name.find('(');
+  if (open == std::string_view::npos) return {name, std::nullopt};
+  if (name.back() != ')')
+    throw UsageError(
+        fmt::format("'{}': the parenthesis after '{}' is not closed", excerpt(name), excerpt(name.substr(0, open))));
+  return {name.substr(0, open), name.substr(open + 1, name.size() - open - 2)};
+}
+
+}  // namespace
+
+std::string name_key(std::string_view name) {
+  std::string key;
+  for (const char c : name) {
+    if (c == '_' || c == '-') continue;
+    key += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return key;
+}
+
+std::vector<std::string> split_list(std::string_view text) {
+  std::vector<std::string> parts;
+  std::string closers;  // of the brackets that are open
+  bool quoted = false;
+  std::size_t begin = 0;
+  const auto take = [&](std::size_t end) {
+    const auto part = trimmed(text.substr(begin, end - begin));
+    if (!part.empty()) parts.emplace_back(part);
+    begin = end + 1;
+  };
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quoted) {
+      if (c == '\\') ++i;
+      quoted = c != '"';
+    } else if (c == '"') {
+      quoted = true;
+    } else if (c == '(' || c == '[') {
+      closers += c == '(' ? ')' : ']';
+    } else if (!closers.empty() && c == closers.back()) {
+      closers.pop_back();
+    } else if (c == ',' && closers.empty()) {
+      take(i);
+    }
+  }
+  if (quoted || !closers.empty())
+    throw UsageError(fmt::format("'{}': a {} is not closed", excerpt(text), quoted ? "quote" : "bracket"));
+  take(text.size());
+  return parts;
+}
+
+void refuse_duplicates(const std::vector<Strategy>& roster) {
+  std::set<std::string_view> seen;
+  for (const auto& strategy : roster)
+    if (!seen.insert(strategy.name).second)
+      throw UsageError(fmt::format("strategy '{}' is given twice: name it once (other names of it count too)",
+                                   excerpt(strategy.name, 100)));
+}
+
+void Registry::add(Description description, NamedMaker make) {
+  const Call call = split_call(description.name);
+  const Named named{strategies_.size(), call.arguments.has_value(), std::move(make)};
+  named_[name_key(call.head)] = named;
+  for (const auto& alias : description.aliases) named_[name_key(alias)] = named;
+  strategies_.push_back(std::move(description));
+}
+
+void Registry::add_form(Description description,
+                        std::function<std::optional<Strategy>(std::string_view, const Payoffs&)> make) {
+  forms_.push_back({strategies_.size(), std::move(make)});
+  strategies_.push_back(std::move(description));
+}
+
+void Registry::add_roster(Description description, std::string members) {
+  group_makers_[name_key(description.name)] = {std::move(members), nullptr};
+  groups_.push_back(std::move(description));
+}
+
+void Registry::add_family(Description description, GroupMaker make) {
+  group_makers_[name_key(split_call(description.name).head)] = {{}, std::move(make)};
+  groups_.push_back(std::move(description));
+}
+
+void Registry::add_prefix(Description description, std::string prefix, GroupMaker make) {
+  prefixes_.push_back({std::move(prefix), strategies_.size(), std::move(make)});
+  strategies_.push_back(std::move(description));
+}
+
+const Registry::Named* Registry::find_named(std::string_view name) const {
+  const auto found = named_.find(name_key(split_call(name).head));
+  return found == named_.end() ? nullptr : &found->second;
+}
+
+std::vector<Strategy> Registry::item(std::string_view item, const Payoffs& payoffs) const {
+  for (const auto& [prefix, description, make] : prefixes_)
+    if (item.substr(0, prefix.size()) == prefix) return make(item.substr(prefix.size()), payoffs);
+  const Call call = split_call(item);
+  const std::string key = name_key(call.head);
+  if (const auto group = group_makers_.find(key); group != group_makers_.end()) {
+    const auto& [members, make] = group->second;
+    if (call.arguments.has_value() == (make == nullptr))
+      throw UsageError(
+          fmt::format("'{}': {}", excerpt(item), make ? "needs its parameters in parentheses" : "takes no parameters"));
+    return make ? make(*call.arguments, payoffs) : items(members, payoffs);
+  }
+  if (const auto named = named_.find(key); named != named_.end()) {
+    const auto& description = strategies_[named->second.description];
+    if (call.arguments.has_value() != named->second.takes_arguments)
+      throw UsageError(fmt::format(
+          "'{}': {}", excerpt(item),
+          call.arguments ? "takes no parameters" : fmt::format("needs its parameters, as in {}", description.name)));
+    return {named->second.make(description.name, call.arguments.value_or(""), payoffs)};
+  }
+  for (const auto& form : forms_)
+    if (auto strategy = form.make(item, payoffs)) return {*std::move(strategy)};
+  unknown(item);
+}
+
+Strategy Registry::make(std::string_view name, const Payoffs& payoffs) const {
+  const auto parts = split_list(name);
+  if (parts.size() != 1) throw UsageError(fmt::format("'{}': expected the name of one strategy", excerpt(name)));
+  auto found = item(parts.front(), payoffs);
+  if (found.size() != 1)
+    throw UsageError(fmt::format("'{}' stands for {} strategies: expected one (of a file: @FILE#NAME)", excerpt(name),
+                                 found.size()));
+  return std::move(found.front());
+}
+
+std::vector<Strategy> Registry::items(std::string_view spec, const Payoffs& payoffs) const {
+  std::vector<Strategy> found;
+  for (const auto& part : split_list(spec)) {
+    auto strategies = item(part, payoffs);
+    std::move(strategies.begin(), strategies.end(), std::back_inserter(found));
+  }
+  return found;
+}
+
+std::vector<Strategy> Registry::roster(std::string_view spec, const Payoffs& payoffs) const {
+  std::vector<Strategy> roster = items(spec, payoffs);
+  if (roster.empty())
+    throw UsageError("the roster is empty: name strategies, as in 'classics' or 'pavlov,tit_for_tat'");
+  refuse_duplicates(roster);
+  return roster;
+}
+
+const Description& Registry::describe(std::string_view name) const {
+  for (const auto& prefix : prefixes_)
+    if (name.substr(0, prefix.prefix.size()) == prefix.prefix) return strategies_[prefix.description];
+  if (const Named* named = find_named(name)) return strategies_[named->description];
+  for (const auto& form : forms_)
+    if (form.make(name, {})) return strategies_[form.description];
+  unknown(name);
+}
+
+void Registry::unknown(std::string_view name) const {
+  const std::string key = name_key(name.substr(0, 100));
+  std::vector<std::pair<std::size_t, std::string>> near;
+  const auto consider = [&](std::string_view candidate_key, const std::string& shown) {
+    const std::size_t distance = edit_distance(key, candidate_key);
+    if (distance <= std::max<std::size_t>(2, key.size() / 2)) near.emplace_back(distance, shown);
+  };
+  for (const auto& [candidate, named] : named_) consider(candidate, strategies_[named.description].name);
+  for (const auto& group : groups_) consider(name_key(split_call(group.name).head), group.name);
+  std::sort(near.begin(), near.end());
+  std::vector<std::string> names;
+  for (const auto& [distance, shown] : near)
+    if (names.size() < 3 && std::find(names.begin(), names.end(), shown) == names.end()) names.push_back(shown);
+  throw UsageError(fmt::format("unknown strategy '{}'{}; 'ipd-strategies list' shows all", excerpt(name),
+                               names.empty() ? "" : fmt::format(": did you mean {}?", fmt::join(names, ", "))));
+}
+
+}  // namespace folk

@@ -1,0 +1,110 @@
+#pragma once
+// Every strategy that has a name, and the reading of rosters.
+
+#include <folk/games/payoffs.h>
+#include <folk/strategies/strategy.h>
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace folk {
+
+/// What the registry knows of a strategy or a family of strategies before it is made.
+struct Description {
+  std::string name;                  ///< "tit_for_tat", or with its parameters: "gtft(q)"
+  std::vector<std::string> aliases;  ///< other names in the literature, matched like the name itself
+  std::string behaviour;             ///< what it plays, in one line
+  std::string reference;             ///< who described it, where
+};
+
+/// Makes a strategy from its full name; the text between the parentheses is `arguments`.
+using NamedMaker = std::function<Strategy(const std::string& name, std::string_view arguments, const Payoffs&)>;
+
+/// Makes all strategies that an item of a roster stands for, in order.
+using GroupMaker = std::function<std::vector<Strategy>(std::string_view item, const Payoffs&)>;
+
+/// Names of strategies, families, rosters, and prefixes like "@" and "exec:".
+/// Names are matched without regard to case, '_' and '-'.
+class Registry {
+public:
+  /// All strategies, families and rosters of Folk itself, "@FILE" and "exec:CMD" included.
+  static Registry standard();
+
+  /// One strategy whose whole name is known, with its aliases. A name with "(...)" takes arguments.
+  void add(Description description, NamedMaker make);
+
+  /// Strategies whose names have a form (mem12_ccCDCDDCDD): `make` returns nothing where the name is not of the form.
+  void add_form(Description description,
+                std::function<std::optional<Strategy>(std::string_view name, const Payoffs&)> make);
+
+  /// A comma list of names under one name: "classics".
+  void add_roster(Description description, std::string members);
+
+  /// A family with arguments: "memory(1,2)".
+  void add_family(Description description, GroupMaker make);
+
+  /// Items that begin with `prefix`; what follows is handed on untouched, case and all ("exec:", "@", "sct:").
+  void add_prefix(Description description, std::string prefix, GroupMaker make);
+
+  /// The single strategy of this name. Throws UsageError, naming the nearest names, when there is none or several.
+  Strategy make(std::string_view name, const Payoffs& payoffs = {}) const;
+
+  /// All strategies of a comma list of names, rosters, families, genotypes, @file, exec:"CMD".
+  /// Commas inside () or quotes do not split. Throws UsageError on an unknown or repeated name and on an empty roster.
+  std::vector<Strategy> roster(std::string_view spec, const Payoffs& payoffs = {}) const;
+
+  /// Everything listed, in the order of its adding.
+  const std::vector<Description>& strategies() const { return strategies_; }
+  const std::vector<Description>& groups() const { return groups_; }
+
+  /// What is known of the strategy that `name` stands for; the description of its family for a member of one.
+  const Description& describe(std::string_view name) const;
+
+private:
+  struct Named {
+    std::size_t description;
+    bool takes_arguments;
+    NamedMaker make;
+  };
+  struct Form {
+    std::size_t description;
+    std::function<std::optional<Strategy>(std::string_view, const Payoffs&)> make;
+  };
+  struct Group {
+    std::string members;  // of a roster
+    GroupMaker make;      // of a family
+  };
+  struct Prefix {
+    std::string prefix;
+    std::size_t description;
+    GroupMaker make;
+  };
+
+  std::vector<Strategy> item(std::string_view item, const Payoffs& payoffs) const;
+  std::vector<Strategy> items(std::string_view spec, const Payoffs& payoffs) const;
+  const Named* find_named(std::string_view name) const;
+  [[noreturn]] void unknown(std::string_view name) const;
+
+  std::vector<Description> strategies_;
+  std::vector<Description> groups_;
+  std::map<std::string, Named, std::less<>> named_;         // by key
+  std::map<std::string, Group, std::less<>> group_makers_;  // by key
+  std::vector<Form> forms_;
+  std::vector<Prefix> prefixes_;
+};
+
+/// A name as it is matched: lower case, without '_' and '-'.
+std::string name_key(std::string_view name);
+
+/// Parts of a comma list; commas inside (), [] or double quotes do not split; blanks around parts are dropped.
+/// Throws UsageError on an unclosed bracket or quote.
+std::vector<std::string> split_list(std::string_view text);
+
+/// Throws UsageError when two strategies of a roster share a name.
+void refuse_duplicates(const std::vector<Strategy>& roster);
+
+}  // namespace folk

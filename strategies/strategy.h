@@ -1,0 +1,23 @@
+#pragma once
+// A named entrant of a tournament.
+
+#include <folk/strategies/machine.h>
+#include <folk/strategies/player.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace folk {
+
+/// A name and how to play it: a machine where it is one, else only a maker of opaque players.
+struct Strategy {
+  std::string name;
+  std::shared_ptr<const Machine> machine;                ///< null for an opaque player
+  std::function<std::unique_ptr<Player>()> make_player;  ///< set for an opaque player
+
+  /// A fresh player of this strategy.
+  std::unique_ptr<Player> new_player() const { return machine ? play(machine) : make_player(); }
+};
+
+}  // namespace folk

@@ -1,0 +1,22 @@
+# cmake -DMODE=installed|tree -DFOLK_BUILD=DIR -DWORK=DIR -DGENERATOR= -DCOMPILER= -DFLAGS= -P run.cmake
+# Builds the consumer in WORK against an installed copy of FOLK_BUILD, or with Folk's tree as a part of it, and runs it.
+# FLAGS are those of FOLK_BUILD: what is built for a sanitizer links with nothing else.
+
+function(step)
+  execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+get_filename_component(tree ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
+set(options -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_BUILD_TYPE=Debug
+            -DCMAKE_CXX_FLAGS_DEBUG=-O0)
+
+if(MODE STREQUAL "installed")
+  file(REMOVE_RECURSE ${WORK})
+  step(${CMAKE_COMMAND} --install ${FOLK_BUILD} --prefix ${WORK}/prefix)
+  list(APPEND options -DCMAKE_PREFIX_PATH=${WORK}/prefix)
+else()
+  list(APPEND options -DFOLK_TREE=${tree})
+endif()
+step(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build ${options})
+step(${CMAKE_COMMAND} --build ${WORK}/build --target consumer)
+step(${WORK}/build/consumer)

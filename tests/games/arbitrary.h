@@ -1,0 +1,45 @@
+#pragma once
+// Random values for property tests of the games.
+
+#include <folk/games/rational.h>
+#include <folk/games/stage_game.h>
+#include <rapidcheck.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rc {
+
+template <>
+struct Arbitrary<folk::Rational> {
+  static Gen<folk::Rational> arbitrary() {
+    const auto above = gen::arbitrary<std::int64_t>();
+    // Half of them end as decimals.
+    const auto below = gen::oneOf(gen::element<std::int64_t>(1, 2, 4, 5, 10, 100, 1'000'000, 9'765'625),
+                                  gen::inRange<std::int64_t>(1, 1'000'000'000));
+    return gen::apply([](std::int64_t a, std::int64_t b) { return folk::Rational(a) / folk::Rational(b); }, above,
+                      below);
+  }
+};
+
+template <>
+struct Arbitrary<folk::StageGame> {
+  static Gen<folk::StageGame> arbitrary() {
+    return gen::exec([] {
+      const auto names = [](const char* what) {
+        return *gen::unique<std::vector<std::string>>(*gen::inRange<std::size_t>(1, 5), gen::nonEmpty<std::string>())
+                    .as(what);
+      };
+      const auto rows = names("rows");
+      const auto columns = names("columns");
+      const auto payoffs = *gen::container<std::vector<std::array<folk::Rational, 2>>>(
+          rows.size() * columns.size(), gen::arbitrary<std::array<folk::Rational, 2>>());
+      return folk::StageGame(*gen::arbitrary<std::string>(),
+                             {*gen::arbitrary<std::string>(), *gen::arbitrary<std::string>()}, {rows, columns}, payoffs,
+                             *gen::arbitrary<std::string>());
+    });
+  }
+};
+
+}  // namespace rc

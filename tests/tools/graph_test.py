@@ -1,0 +1,86 @@
+"""strategy-graph as its user sees it: pictures, DOT text, refusals. FOLK_BIN names the folder of the programs."""
+
+import os
+import shutil
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAM = Path(os.environ["FOLK_BIN"]) / "strategy-graph"
+
+
+def run(*arguments, **options):
+    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=60, **options)
+
+
+def text(*arguments):
+    done = run(*arguments)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+class Drawings(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def test_dot_on_stdout_and_in_a_file_are_the_same(self):
+        path = self.folder / "pavlov.dot"
+        self.assertEqual(text("pavlov", "-o", path), "")
+        self.assertEqual(path.read_text(), text("pavlov"))
+        self.assertTrue(text("pavlov").startswith('digraph "pavlov" {'))
+
+    @unittest.skipUnless(shutil.which("dot"), "Graphviz is not installed")
+    def test_pictures(self):
+        for extension, magic in ((".svg", b"<?xml"), (".png", b"\x89PNG"), (".pdf", b"%PDF")):
+            path = self.folder / ("picture" + extension)
+            text("prober", "-o", path)
+            self.assertTrue(path.read_bytes().startswith(magic))
+        self.assertEqual(len(list(self.folder.iterdir())), 3)
+
+    def test_the_senses(self):
+        self.assertIn("edges: their move · own moves its own", text("pavlov"))
+        self.assertIn("edges: own/their move · any own moves", text("pavlov", "--any-own-moves"))
+
+    def test_a_horizon_cuts_machines_without_end(self):
+        drawing = text("soft_majo", "--horizon", "6")
+        self.assertIn("soft_majo · first 6 rounds", drawing)
+        self.assertEqual(drawing.count('label="C"'), 6)  # leads of 0 to 5
+        self.assertEqual(drawing.count('label="D"'), 5)
+
+    def test_a_horizon_past_the_end_changes_nothing(self):
+        self.assertEqual(text("prober", "--horizon", "50"), text("prober"))
+
+    def test_one_machine_of_a_file(self):
+        path = self.folder / "two.machines"
+        path.write_text("machine one\nc C c c\nmachine two\nd D d d\n")
+        self.assertIn('digraph "two"', text(f"@{path}#two"))
+
+    def refused(self, code, message, *arguments, **options):
+        done = run(*arguments, **options)
+        self.assertEqual(done.returncode, code, done.stderr)
+        self.assertEqual(done.stdout, "")
+        self.assertEqual(done.stderr, f"strategy-graph: {message}\n")
+
+    def test_refusals(self):
+        self.refused(2, "no strategy named: try strategy-graph pavlov -o pavlov.svg")
+        self.refused(2, "soft_majo has infinitely many states: draw its first N rounds with --horizon N", "soft_majo")
+        self.refused(2, "badbet has 40816 states, more than the 300 that make a picture: draw its first N rounds with "
+                     "--horizon N", "badbet")
+        self.refused(2, "-o a.gif: the extension says the format: .svg, .png, .pdf or .dot", "all_c", "-o", "a.gif")
+        self.refused(2, "--horizon '0': expected a whole number from 1 to 100", "gradual", "--horizon", "0")
+        self.refused(2, 'exec:"cat" is an opaque player: it can be played, but it has no machine that could be drawn',
+                     "exec:cat")
+        missing = self.folder / "none" / "a.svg"
+        self.refused(4, f"{missing}: cannot be written: No such file or directory", "all_c", "-o", missing)
+
+    def test_a_missing_dot(self):
+        self.refused(4, "dot is not installed: apt-get install graphviz, or write a .dot file", "all_c", "-o",
+                     self.folder / "a.svg", env={"PATH": str(self.folder)})
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,151 @@
+"""ipd-strategies as its user sees it: the list, what it shows, what it proves. FOLK_BIN names the folder of the programs."""
+
+import csv
+import io
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAM = Path(os.environ["FOLK_BIN"]) / "ipd-strategies"
+
+# The equalities of the literature, own moves being the strategy's own.
+EQUAL = {
+    "slow_tft": "mem12_ccCCCDCDDD",
+    "hard_tft": "mem02_ccCDDD",
+    "tf2t": "mem02_ccCCCD",
+    "pavlov": "mem11_cCDDC",
+    "spiteful": "mem11_cCDDD",
+    "tit_for_tat": "mem01_cCD",
+    "mistrust": "mem01_dCD",
+}
+
+
+def run(*arguments):
+    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=60)
+
+
+def text(*arguments):
+    done = run(*arguments)
+    assert done.returncode == 0, done.stderr
+    assert done.stderr == "", done.stderr
+    return done.stdout
+
+
+def result(*arguments):
+    return json.loads(text(*arguments, "--format", "json"))
+
+
+class List(unittest.TestCase):
+    def test_every_line_fits_120_columns(self):
+        lines = text("list").splitlines()
+        self.assertLessEqual(max(map(len, lines)), 120)
+        self.assertTrue(any(line.startswith("pavlov ") for line in lines))
+        self.assertTrue(any(line.startswith("classics ") for line in lines))
+
+    def test_json_and_csv_hold_the_same(self):
+        listed = result("list")
+        rows = list(csv.DictReader(io.StringIO(text("list", "--format", "csv"))))
+        self.assertEqual([s["name"] for s in listed["strategies"]], [r["name"] for r in rows if r["kind"] == "strategy"])
+        self.assertEqual([g["name"] for g in listed["groups"]], [r["name"] for r in rows if r["kind"] == "group"])
+        pavlov = next(s for s in listed["strategies"] if s["name"] == "pavlov")
+        self.assertEqual((pavlov["memory"], pavlov["states"], pavlov["nice"]), (1, 2, True))
+        self.assertIn("wsls", pavlov["aliases"])
+        majo = next(s for s in listed["strategies"] if s["name"] == "soft_majo")
+        self.assertEqual((majo["memory"], majo["states"]), ("unbounded", "infinite"))
+
+
+class Show(unittest.TestCase):
+    def test_what_is_shown_can_be_read_back(self):
+        for name in ("pavlov", "prober", "mem12_ccCDCDDCDD", "gtft(0.3)"):
+            with tempfile.TemporaryDirectory() as folder:
+                path = Path(folder) / "machines"
+                path.write_text(result("show", name)["machine"])
+                found = result("diff", name, f"@{path}", "--any-own-moves")
+                self.assertEqual(found["result"], "equivalent", name)
+                self.assertTrue(text("show", name).endswith(path.read_text()))
+
+    def test_machines_without_end_say_so(self):
+        shown = text("show", "GoByMajority")
+        self.assertIn("soft_majo\n  also known as  GoByMajority\n", shown)
+        self.assertIn("strategy-graph soft_majo --horizon 6", shown)
+        self.assertIsNone(result("show", "soft_majo")["machine"])
+
+    def test_opaque_players_are_shown_without_facts(self):
+        self.assertIn("none: an opaque player", text("show", "exec:cat"))
+        self.assertIsNone(result("show", "exec:cat")["memory"])
+
+
+class Diff(unittest.TestCase):
+    def test_equalities_are_proved(self):
+        for first, second in EQUAL.items():
+            self.assertRegex(text("diff", first, second),
+                             r"^equivalent: proved over \d+ joint states \(own moves its own\)\n$")
+
+    def test_the_two_senses(self):
+        self.assertEqual(text("diff", "spiteful", "mem11_cCDDD", "--any-own-moves"),
+                         "different: after their moves D C (own C C): spiteful plays D, mem11_cCDDD plays C\n")
+
+    def test_json_of_a_difference(self):
+        found = result("diff", "spiteful", "tf2t")
+        self.assertEqual(found["result"], "different")
+        self.assertEqual(found["sense"], "own_moves_its_own")
+        self.assertEqual(found["play"], {"own": "C", "theirs": "D"})
+        self.assertEqual(found["answers"], {"first": 0, "second": 1})
+        self.assertEqual(found["depth"], 1)
+
+    def test_first_moves(self):
+        self.assertEqual(text("diff", "tit_for_tat", "mistrust"),
+                         "different: in the first round tit_for_tat plays C, mistrust plays D\n")
+
+    def test_mixing_strategies(self):
+        self.assertEqual(text("diff", "tit_for_tat", "gtft(0.1)"), "different: after their moves D (own C): "
+                         "tit_for_tat plays D, gtft(0.1) plays C with probability 0.1\n")
+
+    def test_machines_without_end(self):
+        self.assertEqual(text("diff", "soft_majo", "go-by-majority"), "equivalent: both are soft_majo\n")
+        found = result("diff", "soft_majo", "gradual")
+        self.assertEqual(found["result"], "different")
+        with tempfile.TemporaryDirectory() as folder:
+            # A finite copy of a majority: right until their lead is 60.
+            states = [f"s{i} {'C' if i >= 60 else 'D'} s{min(i + 1, 120)} s{max(i - 1, 0)}" for i in range(121)]
+            path = Path(folder) / "copy"
+            path.write_text("machine copy\n" + "\n".join(states) + "\nstart s60\n")
+            self.assertRegex(text("diff", "soft_majo", f"@{path}", "--most-pairs", "50"),
+                             r"^not refuted \(depth \d+\): no play of up to \d+ rounds separates soft_majo and copy")
+            # One C more than the copy can count, then as many D as were C: the copy has lost one.
+            found = result("diff", "soft_majo", f"@{path}")
+            self.assertEqual(found["result"], "different")
+            self.assertGreater(found["depth"], 60)
+
+
+class Refusals(unittest.TestCase):
+    def refused(self, code, pattern, *arguments):
+        done = run(*arguments)
+        self.assertEqual(done.returncode, code, done.stderr)
+        self.assertEqual(done.stdout, "")
+        self.assertEqual(done.stderr.count("\n"), 1)
+        self.assertRegex(done.stderr, pattern)
+
+    def test_wrong_usage(self):
+        self.refused(2, "list, show NAME or diff A B")
+        self.refused(2, "'draw': expected list, show NAME or diff A B", "draw")
+        self.refused(2, "show takes one name", "show")
+        self.refused(2, "diff takes two names", "diff", "pavlov")
+        self.refused(2, "did you mean mistrust", "show", "mistrst")
+        self.refused(2, "stands for 17 strategies", "show", "classics")
+        self.refused(2, "opaque player", "diff", "pavlov", "exec:cat")
+        self.refused(2, "--most-pairs 'x': expected a whole number", "diff", "pavlov", "tf2t", "--most-pairs", "x")
+
+    def test_bad_files(self):
+        self.refused(3, "no such file", "show", "@nowhere")
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "broken"
+            path.write_text("machine a\nc C c\n")
+            self.refused(3, f"{path}:2: ", "show", f"@{path}")
+
+
+if __name__ == "__main__":
+    unittest.main()

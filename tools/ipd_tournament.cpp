@@ -1,0 +1,165 @@
+// ipd-tournament: the round robin of a roster.
+
+#include "program.h"
+#include "progress.h"
+#include "tournament_output.h"
+
+#include <fmt/format.h>
+#include <folk/games/error.h>
+#include <folk/games/nfg.h>
+#include <folk/strategies/registry.h>
+
+#include <algorithm>
+#include <iostream>
+#include <optional>
+#include <system_error>
+#include <thread>
+
+namespace folk::tools {
+namespace {
+
+Program program() {
+  Program program;
+  program.name = "ipd-tournament";
+  program.usage = "[options]";
+  program.summary =
+      "Plays every strategy of a roster against every other and itself, exactly wherever that can be done,\n"
+      "and prints the ranking. SPEC is a comma list of names, rosters (classics, sct2025, all), families\n"
+      "(memory(1,2)), genotypes (mem12_ccCDCDDCDD), @FILE and exec:\"CMD\"; 'ipd-strategies list' shows all.";
+  program.examples = {"ipd-tournament", "ipd-tournament --strategies pavlov,tit_for_tat,all_d --rounds 1000",
+                      "ipd-tournament --include @my.machines --noise 0.01 --output results --plot",
+                      "ipd-tournament --strategies 'memory(1,2)' --rounds 1000 --format csv",
+                      "ipd-tournament --criterion discounted:0.9 --payoffs T=4,R=3,P=1,S=0 --format json"};
+  auto add = program.options.add_options();
+  const auto text = [] { return po::value<std::string>(); };
+  add("strategies", text()->default_value("classics"), "the roster: SPEC");
+  add("include", text(), "SPEC of entrants beside the roster; payoffs are normalised by the roster alone");
+  add("exclude", text(), "SPEC of strategies to leave out");
+  add("rounds", text(), "rounds of a match (default 100); the same as --criterion finite:N");
+  add("criterion", text(), "finite:T, discounted:d, mean or ending:p");
+  add("end-probability", text(), "each round is the last with this probability; the same as --criterion ending:p");
+  add("noise", text()->default_value("0"), "each move flips with this probability, from 0 to 1");
+  add("payoffs", text(), "a prisoner's dilemma (default T=5,R=3,P=1,S=0)");
+  add("game", text(), "a symmetric 2x2 game from a .nfg file, its first action taken as C");
+  add("no-self-play", "nobody meets its own copy");
+  add("repetitions", text(), "matches of a pair that can only be sampled (default 100)");
+  add("seed", text(), "of all random numbers (default 1)");
+  add("threads", text(), "threads (default: one a processor); the results do not depend on it");
+  add("output", text(), "folder for ranking.csv, scores.csv, cooperation.csv, summary.json");
+  add("plot", text()->implicit_value("svg"), "svg or png: also draw payoffs, cooperation and scores into --output");
+  return program;
+}
+
+Criterion criterion_of(const po::variables_map& values) {
+  std::optional<Criterion> chosen;
+  const auto choose = [&](const char* option, const Criterion& criterion) {
+    if (chosen && !(*chosen == criterion))
+      throw UsageError(fmt::format("--{} says {}, another option says {}: give one of them", option,
+                                   criterion.to_string(), chosen->to_string()));
+    chosen = criterion;
+  };
+  if (values.count("rounds") != 0) choose("rounds", Criterion::finite(parse_rounds(text_option(values, "rounds"))));
+  if (values.count("criterion") != 0) choose("criterion", Criterion::parse(text_option(values, "criterion")));
+  if (values.count("end-probability") != 0)
+    choose("end-probability",
+           Criterion::ending(parse_number(text_option(values, "end-probability"), "--end-probability", 0, 1)));
+  return chosen.value_or(Criterion::finite(100));
+}
+
+/// The stage game and its title.
+std::pair<Payoffs, std::string> game_of(const po::variables_map& values) {
+  const bool from_file = values.count("game") != 0;
+  if (from_file && values.count("payoffs") != 0) throw UsageError("--game and --payoffs contradict: give one of them");
+  if (from_file) {
+    const auto game = read_nfg_file(text_option(values, "game"));
+    return {symmetric_payoffs(game), game.title()};
+  }
+  const Payoffs payoffs = values.count("payoffs") != 0 ? parse_payoffs(text_option(values, "payoffs")) : Payoffs{};
+  return {payoffs, "prisoner's dilemma"};
+}
+
+/// The roster less what is excluded; the included entrants follow it.
+struct Field {
+  std::vector<Strategy> entrants;
+  std::size_t core = 0;
+};
+
+Field field_of(const po::variables_map& values, const Payoffs& payoffs) {
+  const Registry registry = Registry::standard();
+  Field field{registry.roster(text_option(values, "strategies"), payoffs), 0};
+  if (values.count("exclude") != 0)
+    for (const auto& left_out : registry.roster(text_option(values, "exclude"), payoffs)) {
+      const auto same = [&](const Strategy& strategy) { return strategy.name == left_out.name; };
+      if (std::erase_if(field.entrants, same) == 0)
+        throw UsageError(fmt::format("--exclude {}: it is not in the roster", left_out.name));
+    }
+  if (field.entrants.empty()) throw UsageError("the roster is empty: --exclude leaves nobody");
+  field.core = field.entrants.size();
+  if (values.count("include") != 0)
+    for (auto& guest : registry.roster(text_option(values, "include"), payoffs))
+      field.entrants.push_back(std::move(guest));
+  return field;
+}
+
+/// Made before anything is played: what cannot be written should not be waited for.
+std::optional<std::filesystem::path> output_folder(const po::variables_map& values) {
+  if (values.count("output") == 0) return std::nullopt;
+  std::filesystem::path folder = text_option(values, "output");
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!std::filesystem::is_directory(folder))
+    throw EnvironmentError(fmt::format("--output {}: cannot be made: {}", folder.string(),
+                                       error ? error.message() : "a file has that name"));
+  return folder;
+}
+
+std::optional<std::string> picture_extension(const po::variables_map& values) {
+  if (values.count("plot") == 0) return std::nullopt;
+  const auto extension = text_option(values, "plot");
+  if (extension != "svg" && extension != "png")
+    throw UsageError(fmt::format("--plot '{}': expected svg or png", extension));
+  if (values.count("output") == 0) throw UsageError("--plot needs a folder for its pictures: give --output DIR");
+  return extension;
+}
+
+int tournament(const po::variables_map& values, const Common& common) {
+  const auto [payoffs, title] = game_of(values);
+  TournamentSettings settings;
+  settings.payoffs = payoffs;
+  settings.criterion = criterion_of(values);
+  settings.noise = parse_number(text_option(values, "noise"), "--noise", 0, 1);
+  settings.self_play = values.count("no-self-play") == 0;
+  settings.repetitions = whole_option(values, "repetitions", 100, 1, 10'000'000);
+  settings.seed = whole_option(values, "seed", 1, 0, ~std::uint64_t{0});
+  settings.threads =
+      static_cast<unsigned>(whole_option(values, "threads", std::max(1U, std::thread::hardware_concurrency()), 1, 256));
+  const auto extension = picture_extension(values);
+  auto [entrants, core] = field_of(values, payoffs);
+  const auto folder = output_folder(values);
+  if (const auto warning = dilemma_warning(payoffs); warning && values.count("game") == 0 && !common.quiet)
+    fmt::print(stderr, "ipd-tournament: note: {}\n", *warning);
+
+  std::optional<Progress> progress(std::in_place, fmt::format("playing {} strategies", entrants.size()), !common.quiet);
+  settings.progress = [&](double fraction) { (*progress)(fraction); };
+  const Tournament result(std::move(entrants), core, settings);
+  progress.reset();
+
+  const TournamentLabels labels{text_option(values, "strategies"), text_option(values, "include"), title};
+  if (folder) {
+    write_files(*folder, result, labels);
+    if (extension) draw_pictures(*folder, result, *extension);
+  }
+  switch (common.format) {
+    case Format::text: write_text(std::cout, result, labels); break;
+    case Format::csv: write_ranking_csv(std::cout, result); break;
+    case Format::json: write_json(std::cout, result, labels, true); break;
+  }
+  return done;
+}
+
+}  // namespace
+}  // namespace folk::tools
+
+int main(int argc, char** argv) {
+  return folk::tools::run(argc, argv, folk::tools::program(), {"text", "csv", "json"}, folk::tools::tournament);
+}

@@ -1,0 +1,51 @@
+#pragma once
+// What every program of Folk shares: its options, its help, its exit codes.
+
+#include <boost/program_options.hpp>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace folk::tools {
+
+namespace po = boost::program_options;
+
+/// A program as its help text shows it.
+struct Program {
+  std::string name;                   ///< "ipd-match"
+  std::string usage;                  ///< "A B [options]"
+  std::string summary;                ///< what it does, a sentence or two
+  std::vector<std::string> examples;  ///< whole command lines
+  po::options_description options{"Options"};
+  po::positional_options_description positional{};
+};
+
+/// How a result is printed on stdout.
+enum class Format { text, csv, json };
+
+/// Options that all programs take beside their own: --format, --quiet, --help, --version.
+struct Common {
+  Format format = Format::text;
+  bool quiet = false;
+};
+
+/// Exit codes: done; a claim that was to be checked does not hold; wrong usage; bad input file; anything else.
+enum ExitCode { done = 0, claim_fails = 1, wrong_usage = 2, bad_input_file = 3, failed = 4 };
+
+/// Parses the command line, answers --help and --version, runs `body`, and turns whatever it throws into one line on
+/// stderr and an exit code. `formats` lists the values --format may take, the default first; empty: no such option.
+int run(int argc, char** argv, Program program, const std::vector<std::string>& formats,
+        const std::function<int(const po::variables_map&, const Common&)>& body);
+
+/// The text value of an option that may be given once, or `fallback`.
+std::string text_option(const po::variables_map& values, const char* name, std::string fallback = {});
+
+/// A whole number from `low` to `high` out of an option's text. Throws UsageError naming the option.
+std::uint64_t whole_option(const po::variables_map& values, const char* name, std::uint64_t fallback, std::uint64_t low,
+                           std::uint64_t high);
+
+/// The version line and what the build was made of.
+std::string version_text(std::string_view program);
+
+}  // namespace folk::tools

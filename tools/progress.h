@@ -1,0 +1,40 @@
+#pragma once
+// A progress bar on stderr for work that takes a while.
+
+#include <chrono>
+#include <mutex>
+#include <optional>
+#include <string>
+
+namespace folk::tools {
+
+/// The bar as one line: "playing [######--------------]  31 %, 0:12 left", at most `width` characters.
+/// `fraction` is clamped to [0, 1]; without `seconds_left` the last part is left out.
+std::string progress_line(const std::string& what, double fraction, std::optional<double> seconds_left,
+                          std::size_t width);
+
+/// Shows how far some work has got once it has lasted a second, a few times a second, and removes itself at the end.
+/// Shows nothing unless enabled and stderr is a terminal. Any thread may report; the highest fraction counts.
+class Progress {
+public:
+  Progress(std::string what, bool enabled);
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  ~Progress();
+
+  /// The share of the work that is done, 0 to 1.
+  void operator()(double fraction);
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  std::string what_;
+  bool shows_;
+  Clock::time_point begin_ = Clock::now();
+  Clock::time_point next_ = begin_ + std::chrono::seconds(1);
+  double fraction_ = 0;
+  bool drawn_ = false;
+  std::mutex mutex_;
+};
+
+}  // namespace folk::tools

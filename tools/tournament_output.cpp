@@ -1,0 +1,221 @@
+#include "tournament_output.h"
+
+#include "csv.h"
+#include "table.h"
+
+#include <fmt/format.h>
+#include <folk/analysis/plots.h>
+#include <folk/games/error.h>
+#include <folk/games/text_file.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <system_error>
+#include <vector>
+
+namespace folk::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double normal_95 = 1.959963984540054;  // half width of a 95 % interval in standard errors
+
+/// Whole numbers without an exponent, others as the shortest decimal that reads back.
+std::string exact(long double value) {
+  if (value == std::floor(value) && std::abs(value) < 0x1p63L) return fmt::format("{}", static_cast<long long>(value));
+  return fmt::format("{}", static_cast<double>(value));
+}
+
+std::string json_string(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+bool sampled(const Tournament& tournament) {
+  return std::any_of(tournament.ranking().begin(), tournament.ranking().end(),
+                     [](const auto& entry) { return entry.method == Method::sampled; });
+}
+
+/// "cycle", or "cycle and markov": every way in which a figure of this tournament was obtained.
+std::string methods_of(const Tournament& tournament) {
+  std::vector<std::string_view> names;
+  for (const Method method : {Method::cycle, Method::markov, Method::bounded, Method::sampled})
+    for (const auto& entry : tournament.ranking())
+      if (entry.method == method) {
+        names.push_back(to_string(method));
+        break;
+      }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string settings_line(const Tournament& tournament, const TournamentLabels& labels) {
+  const auto& settings = tournament.settings();
+  std::string text = fmt::format("game {} ({}), {}, noise {}, self-play {}, seed {}", labels.game,
+                                 to_text(settings.payoffs), settings.criterion.to_string(), settings.noise,
+                                 settings.self_play ? "included" : "left out", settings.seed);
+  if (sampled(tournament)) text += fmt::format(", repetitions {}", settings.repetitions);
+  return text;
+}
+
+/// Rows of a matrix, streamed as JSON arrays.
+template <class Cell>
+void write_json_matrix(std::ostream& out, const Tournament& tournament, const char* name, Cell cell) {
+  out << fmt::format(",\n  \"{}\": [", name);
+  fmt::memory_buffer row;
+  for (std::size_t i = 0; i < tournament.size(); ++i) {
+    row.clear();
+    fmt::format_to(std::back_inserter(row), "{}\n    [", i == 0 ? "" : ",");
+    for (std::size_t j = 0; j < tournament.size(); ++j) {
+      if (j > 0) row.push_back(',');
+      const auto text = tournament.played(i, j) ? cell(i, j) : std::string("null");
+      row.append(text.data(), text.data() + text.size());
+    }
+    row.push_back(']');
+    out.write(row.data(), static_cast<std::streamsize>(row.size()));
+  }
+  out << "\n  ]";
+}
+
+std::string json_number(const std::optional<double>& value) { return value ? fmt::format("{}", *value) : "null"; }
+
+void write_json_ranking(std::ostream& out, const Tournament& tournament) {
+  out << "  \"ranking\": [";
+  const char* separator = "\n";
+  for (const auto& entry : tournament.ranking()) {
+    out << fmt::format(
+        "{}    {{\"rank\": {}, \"name\": {}, \"total\": {}, \"mean\": {}, \"median\": {}, \"wins\": {}, "
+        "\"cooperation_rate\": {}, \"normalised\": {}, \"method\": \"{}\", \"confidence_95\": {}}}",
+        separator, entry.rank, json_string(tournament.name(entry.entrant)), exact(entry.total), entry.mean,
+        entry.median, entry.wins, entry.cooperation_rate, json_number(entry.normalised), to_string(entry.method),
+        entry.method == Method::sampled ? fmt::format("{}", normal_95 * entry.error) : "null");
+    separator = ",\n";
+  }
+  out << "\n  ]";
+}
+
+template <class Cell>
+void write_csv_matrix(std::ostream& out, const Tournament& tournament, Cell cell) {
+  out << "row\\col";
+  for (std::size_t j = 0; j < tournament.size(); ++j) out << ',' << csv_field(tournament.name(j));
+  out << ",total\n";
+  for (std::size_t i = 0; i < tournament.size(); ++i) {
+    out << csv_field(tournament.name(i));
+    long double total = 0;
+    for (std::size_t j = 0; j < tournament.size(); ++j) {
+      out << ',';
+      if (!tournament.played(i, j)) continue;
+      const double value = cell(i, j);
+      total += static_cast<long double>(value);
+      out << exact(static_cast<long double>(value));
+    }
+    out << ',' << exact(total) << '\n';
+  }
+}
+
+}  // namespace
+
+void write_text(std::ostream& out, const Tournament& tournament, const TournamentLabels& labels) {
+  out << fmt::format("Round robin of {} strategies: {}{}\n", tournament.size(), labels.roster,
+                     labels.included.empty() ? "" : ", with " + labels.included);
+  out << settings_line(tournament, labels) << "\n\n";
+  const bool with_error = sampled(tournament);
+  std::vector<std::string> header{"rank", "strategy", "total"};
+  if (with_error) header.emplace_back("95 %");
+  for (const char* name : {"mean", "median", "wins", "coop %", "normalised", "figures"}) header.emplace_back(name);
+  Table table(header);
+  for (const auto& entry : tournament.ranking()) {
+    const bool whole = entry.total == std::floor(entry.total);
+    std::vector<std::string> row{fmt::format("{}", entry.rank), tournament.name(entry.entrant),
+                                 whole ? exact(entry.total) : fmt::format("{:.4f}", static_cast<double>(entry.total))};
+    if (with_error)
+      row.push_back(entry.method == Method::sampled ? fmt::format("±{:.4g}", normal_95 * entry.error) : "");
+    row.push_back(fmt::format("{:.4f}", entry.mean));
+    row.push_back(fmt::format("{:.4f}", entry.median));
+    row.push_back(fmt::format("{}", entry.wins));
+    row.push_back(fmt::format("{:.2f}", 100 * entry.cooperation_rate));
+    row.push_back(entry.normalised ? fmt::format("{:.2f}", *entry.normalised) : "-");
+    row.emplace_back(to_string(entry.method));
+    table.add(std::move(row));
+  }
+  out << table.text();
+  out << fmt::format(
+      "\nmean and median: payoff a round; normalised: 100 x payoff / the roster's mean against the same "
+      "opponent\nsignature {:016x}\n",
+      tournament.signature());
+}
+
+void write_ranking_csv(std::ostream& out, const Tournament& tournament) {
+  out << "rank,strategy,total,mean,median,wins,cooperation_rate,normalised,method,confidence_95\n";
+  fmt::memory_buffer rows;
+  for (const auto& entry : tournament.ranking())
+    fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{}\n", entry.rank,
+                   csv_field(tournament.name(entry.entrant)), exact(entry.total), entry.mean, entry.median, entry.wins,
+                   entry.cooperation_rate, entry.normalised ? fmt::format("{}", *entry.normalised) : "",
+                   to_string(entry.method),
+                   entry.method == Method::sampled ? fmt::format("{}", normal_95 * entry.error) : "");
+  out.write(rows.data(), static_cast<std::streamsize>(rows.size()));
+}
+
+void write_json(std::ostream& out, const Tournament& tournament, const TournamentLabels& labels, bool with_matrices) {
+  const auto& settings = tournament.settings();
+  out << fmt::format("{{\n  \"game\": {},\n  \"payoffs\": {},\n  \"criterion\": \"{}\",\n  \"rounds\": {},\n",
+                     json_string(labels.game), json_string(to_text(settings.payoffs)), settings.criterion.to_string(),
+                     settings.criterion.is_finite() ? fmt::format("{}", settings.criterion.rounds()) : "null");
+  out << fmt::format("  \"noise\": {},\n  \"self_play\": {},\n  \"repetitions\": {},\n  \"seed\": {},\n",
+                     settings.noise, settings.self_play, settings.repetitions, settings.seed);
+  out << fmt::format("  \"roster\": {},\n  \"included\": {},\n  \"behaviours\": {},\n  \"methods\": \"{}\",\n",
+                     json_string(labels.roster), json_string(labels.included), tournament.behaviours(),
+                     methods_of(tournament));
+  out << fmt::format("  \"signature\": \"{:016x}\",\n  \"strategies\": [", tournament.signature());
+  for (std::size_t i = 0; i < tournament.size(); ++i) out << (i > 0 ? ", " : "") << json_string(tournament.name(i));
+  out << "],\n";
+  write_json_ranking(out, tournament);
+  if (with_matrices) {
+    write_json_matrix(out, tournament, "scores", [&](std::size_t i, std::size_t j) {
+      return exact(static_cast<long double>(tournament.score(i, j)));
+    });
+    write_json_matrix(out, tournament, "cooperations", [&](std::size_t i, std::size_t j) {
+      return exact(static_cast<long double>(tournament.cooperation(i, j)));
+    });
+    write_json_matrix(out, tournament, "normalised",
+                      [&](std::size_t i, std::size_t j) { return json_number(tournament.normalised(i, j)); });
+  }
+  out << "\n}\n";
+}
+
+void write_files(const fs::path& folder, const Tournament& tournament, const TournamentLabels& labels) {
+  write_file(folder / "ranking.csv", [&](std::ostream& out) { write_ranking_csv(out, tournament); });
+  write_file(folder / "scores.csv", [&](std::ostream& out) {
+    write_csv_matrix(out, tournament, [&](std::size_t i, std::size_t j) { return tournament.score(i, j); });
+  });
+  write_file(folder / "cooperation.csv", [&](std::ostream& out) {
+    write_csv_matrix(out, tournament, [&](std::size_t i, std::size_t j) { return tournament.cooperation(i, j); });
+  });
+  write_file(folder / "summary.json", [&](std::ostream& out) { write_json(out, tournament, labels, false); });
+}
+
+void draw_pictures(const fs::path& folder, const Tournament& tournament, const std::string& extension) {
+  const double weight = tournament.settings().criterion.total_weight();
+  std::vector<std::string> names;
+  for (const auto& entry : tournament.ranking()) names.push_back(tournament.name(entry.entrant));
+  const auto entrant = [&](std::size_t place) { return tournament.ranking()[place].entrant; };
+  const auto a_round = [&](auto figure) {
+    return [&tournament, entrant, figure, weight](std::size_t row, std::size_t column) {
+      const std::size_t i = entrant(row);
+      const std::size_t j = entrant(column);
+      return tournament.played(i, j) ? figure(i, j) / weight : std::numeric_limits<double>::quiet_NaN();
+    };
+  };
+  const auto score = a_round([&](std::size_t i, std::size_t j) { return tournament.score(i, j); });
+  const auto cooperation = a_round([&](std::size_t i, std::size_t j) { return tournament.cooperation(i, j); });
+  draw(HeatMap{names, score, "Payoff a round, row against column", "payoff a round", std::nullopt},
+       folder / ("payoffs." + extension));
+  draw(HeatMap{names, cooperation, "Cooperation rate, row against column", "share of C",
+               std::array<double, 2>{0.0, 1.0}},
+       folder / ("cooperation." + extension));
+  draw(BoxPlot{names, score, "Payoff a round over all opponents", "payoff a round"}, folder / ("scores." + extension));
+}
+
+}  // namespace folk::tools
