@@ -1,7 +1,6 @@
 #include <folk/analysis/cycle_table.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -44,9 +43,9 @@ PairResult CycleFinder::play(const CycleTable& first, const CycleTable& second, 
     case Criterion::Kind::discounted:
     case Criterion::Kind::ending:
       walk(first, second, std::numeric_limits<std::uint64_t>::max());
-      pair.weights = sum_geometric(criterion.continuation());
+      pair.weights = sum_geometric(criterion);
       if (criterion.kind() == Criterion::Kind::discounted)
-        for (double& weight : pair.weights) weight *= 1 - criterion.continuation();
+        for (double& weight : pair.weights) weight *= criterion.stopping();
       break;
   }
   return pair;
@@ -100,11 +99,12 @@ OutcomeWeights CycleFinder::sum_finite(std::uint64_t rounds) const {
   return weights;
 }
 
-OutcomeWeights CycleFinder::sum_geometric(double continuation) const {
+OutcomeWeights CycleFinder::sum_geometric(const Criterion& criterion) const {
   OutcomeWeights weights{};
   double weight = 1;
   OutcomeWeights cycle{};
-  const double repeats = 1 / (1 - std::pow(continuation, static_cast<double>(cycle_end_ - cycle_begin_)));
+  const double continuation = criterion.continuation();
+  const double repeats = 1 / criterion.lost_within(static_cast<double>(cycle_end_ - cycle_begin_));
   for (std::size_t t = 0; t < cycle_end_; ++t) {
     OutcomeWeights& part = t < cycle_begin_ ? weights : cycle;
     add(part, counts_[t + 1] - counts_[t], weight);
@@ -116,7 +116,8 @@ OutcomeWeights CycleFinder::sum_geometric(double continuation) const {
 
 OutcomeWeights CycleFinder::mean_of_cycle() const {
   OutcomeWeights weights{};
-  add(weights, counts_[cycle_end_] - counts_[cycle_begin_], 1 / static_cast<double>(cycle_end_ - cycle_begin_));
+  add(weights, counts_[cycle_end_] - counts_[cycle_begin_], 1);
+  for (double& weight : weights) weight /= static_cast<double>(cycle_end_ - cycle_begin_);
   return weights;
 }
 

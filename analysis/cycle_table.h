@@ -43,7 +43,7 @@ public:
 private:
   void walk(const CycleTable& first, const CycleTable& second, std::uint64_t rounds);
   OutcomeWeights sum_finite(std::uint64_t rounds) const;
-  OutcomeWeights sum_geometric(double continuation) const;
+  OutcomeWeights sum_geometric(const Criterion& criterion) const;
   OutcomeWeights mean_of_cycle() const;
 
   // marks_[joint state] = epoch_ + the round in which this pair stood there; lower values are of earlier pairs.

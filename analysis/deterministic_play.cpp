@@ -1,21 +1,19 @@
 #include <folk/analysis/deterministic_play.h>
 #include <folk/games/error.h>
-#include <folk/strategies/gradual_machine.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
-#include <vector>
 
 namespace folk {
 namespace {
 
 constexpr std::uint64_t for_ever = std::numeric_limits<std::uint64_t>::max();
 
-/// Adds up the weights of outcomes under a criterion while time passes.
+/// Adds up the weights of outcomes under a criterion while time passes, and those of a stretch that may be a loop.
 class Sum {
 public:
   explicit Sum(const Criterion& criterion)
@@ -32,50 +30,57 @@ public:
   void add(std::size_t o) {
     weights_[o] += weight_;
     weight_ *= continuation_;
-    ++played_;
+    loop_[o] += loop_weight_;
+    loop_weight_ *= continuation_;
+    ++loop_length_;
     if (left_ != for_ever) --left_;
   }
 
-  /// Adds `times` repetitions of these outcomes; `for_ever` ends the sum.
-  void add_loop(const std::vector<std::uint8_t>& outcomes, std::uint64_t times) {
-    OutcomeWeights once{};
-    double within = 1;
-    for (const auto o : outcomes) {
-      once[o] += within;
-      within *= continuation_;
-    }
-    const auto length = static_cast<double>(outcomes.size());
+  /// What is added from here on may turn out to be a loop.
+  void begin_loop() {
+    loop_ = {};
+    loop_weight_ = 1;
+    loop_length_ = 0;
+  }
+
+  std::uint64_t loop_length() const { return loop_length_; }
+
+  /// Adds `times` repetitions of the loop; `for_ever` ends the sum.
+  void repeat_loop(std::uint64_t times) {
     if (times == for_ever && criterion_.kind() == Criterion::Kind::mean) {
-      for (std::size_t o = 0; o < 4; ++o) weights_[o] = once[o] / length;
-      settled_ = true;
+      weights_ = loop_;
       left_ = 0;
       return;
     }
     const auto count = static_cast<double>(times);
-    // within = continuation^length; the sum of its powers from 0 to times - 1.
-    double repeats = count;
-    if (continuation_ < 1)
-      repeats = times == for_ever ? 1 / (1 - within) : (1 - std::pow(within, count)) / (1 - within);
-    for (std::size_t o = 0; o < 4; ++o) weights_[o] += weight_ * repeats * once[o];
+    const auto length = static_cast<double>(loop_length_);
+    double repeats = count;  // sum of continuation^(length k) over the repetitions k
+    if (continuation_ < 1) {
+      const double once_more = criterion_.lost_within(length);
+      repeats = (times == for_ever ? 1 : criterion_.lost_within(length * count)) / once_more;
+    }
+    for (std::size_t o = 0; o < 4; ++o) weights_[o] += weight_ * repeats * loop_[o];
     if (times == for_ever) {
       left_ = 0;
       return;
     }
-    weight_ *= continuation_ < 1 ? std::pow(within, count) : 1;
-    const std::uint64_t rounds = times * outcomes.size();
-    played_ += rounds;
-    if (left_ != for_ever) left_ -= rounds;
+    if (continuation_ < 1) weight_ *= 1 - criterion_.lost_within(length * count);
+    if (left_ != for_ever) left_ -= times * loop_length_;
   }
 
+  /// What was added up, scaled to the criterion's total weight; cut off where the sum is not over.
   PairResult result() const {
-    PairResult pair{weights_, 0, 0, Method::cycle};
-    double scale = 1;
-    if (criterion_.kind() == Criterion::Kind::discounted) scale = 1 - continuation_;
-    if (criterion_.kind() == Criterion::Kind::mean && !settled_) {
-      scale = 1 / static_cast<double>(played_);
-      pair.method = Method::bounded;
+    PairResult pair{weights_, 0, 0, over() ? Method::cycle : Method::bounded};
+    double added = 0;
+    for (const double weight : weights_) added += weight;
+    for (double& weight : pair.weights) {
+      // A mean is a mean of what was seen, and so is the missing end of a sum that was cut off.
+      if (!over() || criterion_.kind() == Criterion::Kind::mean) {
+        weight = weight / added * criterion_.total_weight();
+      } else if (criterion_.kind() == Criterion::Kind::discounted) {
+        weight *= criterion_.stopping();
+      }
     }
-    for (double& weight : pair.weights) weight *= scale;
     return pair;
   }
 
@@ -83,147 +88,149 @@ private:
   Criterion criterion_;
   double continuation_;
   std::uint64_t left_;
-  std::uint64_t played_ = 0;
   double weight_ = 1;
-  bool settled_ = false;
   OutcomeWeights weights_{};
+  OutcomeWeights loop_{};
+  double loop_weight_ = 1;
+  std::uint64_t loop_length_ = 0;
 };
 
-/// Both machines before a round.
-struct Moment {
-  CounterView first;
-  CounterView second;
-  std::uint8_t played = 0;  // the outcome of the round
-};
+/// One machine's controls and counters, and how far its counters stayed from the ends of their ranges since a mark.
+class Track {
+public:
+  explicit Track(const CounterView& view) { mark(view); }
 
-bool same_controls(const Moment& a, const Moment& b) {
-  return a.first.control == b.first.control && a.second.control == b.second.control;
-}
+  void mark(const CounterView& view) {
+    marked_ = view;
+    above_.fill(std::numeric_limits<std::int64_t>::max());
+    below_ = above_;
+  }
 
-/// How often counters that drift by `drift` a loop can go on before one leaves its range at this moment.
-std::uint64_t room(const CounterView& at, const CounterView& loop_start, const CounterView& loop_end) {
-  std::uint64_t times = for_ever;
-  for (std::size_t c = 0; c < at.size; ++c) {
-    const std::int64_t drift = loop_end.counters[c].value - loop_start.counters[c].value;
-    const Counter& counter = at.counters[c];
+  /// False when the number of counters changed: one that comes into being may start at any value, so that no loop
+  /// leads across.
+  bool pass(const CounterView& view) {
+    if (view.size != marked_.size) return false;
     constexpr auto lowest = std::numeric_limits<std::int64_t>::min();
     constexpr auto highest = std::numeric_limits<std::int64_t>::max();
-    if (drift > 0 && counter.high != highest)
-      times = std::min(times, static_cast<std::uint64_t>((counter.high - counter.value) / drift));
-    if (drift < 0 && counter.low != lowest)
-      times = std::min(times, static_cast<std::uint64_t>((counter.value - counter.low) / -drift));
-  }
-  return times;
-}
-
-CounterView drifted(CounterView view, const CounterView& loop_start, std::uint64_t times) {
-  for (std::size_t c = 0; c < view.size; ++c) {
-    const std::int64_t drift = view.counters[c].value - loop_start.counters[c].value;
-    view.counters[c].value += drift * static_cast<std::int64_t>(times);
-  }
-  return view;
-}
-
-/// The rounds since the last change in the number of counters, and where each pair of controls last stood among them.
-class Past {
-public:
-  Past()
-      : slots_(64, none) {}
-
-  void clear() {
-    std::fill(slots_.begin(), slots_.end(), none);
-    moments_.clear();
+    for (std::size_t c = 0; c < view.size; ++c) {
+      const Counter& counter = view.counters[c];
+      if (counter.high != highest) above_[c] = std::min(above_[c], counter.high - counter.value);
+      if (counter.low != lowest) below_[c] = std::min(below_[c], counter.value - counter.low);
+    }
+    return true;
   }
 
-  /// Where these controls stood before, if they did; they now stand at the end.
-  std::optional<std::size_t> enter(const Moment& now) {
-    if (2 * (moments_.size() + 1) > slots_.size()) grow();
-    const std::size_t slot = place(now);
-    const std::uint32_t before = slots_[slot];
-    slots_[slot] = static_cast<std::uint32_t>(moments_.size());
-    moments_.push_back(now);
-    return before == none ? std::nullopt : std::optional<std::size_t>(before);
+  bool same_control(const CounterView& view) const { return view.control == marked_.control; }
+
+  /// How often the loop from the mark to `now` can go on before a counter leaves the range of its control.
+  std::uint64_t repeats(const CounterView& now) const {
+    std::uint64_t times = for_ever;
+    for (std::size_t c = 0; c < now.size; ++c) {
+      const std::int64_t drift = now.counters[c].value - marked_.counters[c].value;
+      const std::int64_t room = drift > 0 ? above_[c] : below_[c];
+      if (drift != 0 && room != std::numeric_limits<std::int64_t>::max())
+        times = std::min(times, static_cast<std::uint64_t>(room / std::abs(drift)));
+    }
+    return times;
   }
 
-  std::vector<Moment>& moments() { return moments_; }
+  /// `now` after that many more loops.
+  CounterView drifted(CounterView now, std::uint64_t times) const {
+    for (std::size_t c = 0; c < now.size; ++c)
+      now.counters[c].value += (now.counters[c].value - marked_.counters[c].value) * static_cast<std::int64_t>(times);
+    return now;
+  }
 
 private:
-  static constexpr std::uint32_t none = 0xFFFFFFFFU;
+  CounterView marked_;
+  std::array<std::int64_t, 2> above_{};
+  std::array<std::int64_t, 2> below_{};
+};
 
-  std::size_t place(const Moment& moment) const {
-    std::uint64_t mixed = (moment.first.control * 0x9E3779B97F4A7C15U) ^ (moment.second.control * 0xC2B2AE3D27D4EB4FU);
-    mixed ^= mixed >> 31U;
-    std::size_t slot = mixed & (slots_.size() - 1);
-    while (slots_[slot] != none && !same_controls(moments_[slots_[slot]], moment))
-      slot = (slot + 1) & (slots_.size() - 1);
-    return slot;
+/// A match under way: both states, and a mark that moves on at doubling distances (Brent 1980), so that every loop is
+/// found within about three times the rounds that lead into it and around it, in no memory.
+class Play {
+public:
+  Play(const Machine& first, const Machine& second, const Criterion& criterion)
+      : first_(first),
+        second_(second),
+        a_(first.start()),
+        b_(second.start()),
+        track_a_(first.view(a_)),
+        track_b_(second.view(b_)),
+        sum_(criterion) {}
+
+  bool over() const { return sum_.over(); }
+  PairResult result() const { return sum_.result(); }
+
+  /// Plays one round, then skips the loop that it may have closed.
+  void step() {
+    const Move own = move_of(first_, a_);
+    const Move theirs = move_of(second_, b_);
+    sum_.add(outcome(own, theirs));
+    a_ = first_.next(a_, own, theirs);
+    b_ = second_.next(b_, theirs, own);
+    const CounterView a = first_.view(a_);
+    const CounterView b = second_.view(b_);
+    const bool kept_a = track_a_.pass(a);
+    const bool kept_b = track_b_.pass(b);
+    if (!kept_a || !kept_b) {
+      mark(a, b, 1);
+    } else if (track_a_.same_control(a) && track_b_.same_control(b)) {
+      skip(a, b);
+    } else if (sum_.loop_length() == patience_) {
+      mark(a, b, 2 * patience_);
+    }
   }
 
-  void grow() {
-    slots_.assign(slots_.size() * 2, none);
-    for (std::size_t i = 0; i < moments_.size(); ++i) slots_[place(moments_[i])] = static_cast<std::uint32_t>(i);
+private:
+  void mark(const CounterView& a, const CounterView& b, std::uint64_t patience) {
+    track_a_.mark(a);
+    track_b_.mark(b);
+    patience_ = patience;
+    sum_.begin_loop();
   }
 
-  std::vector<std::uint32_t> slots_;
-  std::vector<Moment> moments_;
+  void skip(const CounterView& a, const CounterView& b) {
+    std::uint64_t times = std::min(track_a_.repeats(a), track_b_.repeats(b));
+    if (sum_.left() != for_ever) times = std::min(times, sum_.left() / sum_.loop_length());
+    if (times == 0) {
+      if (sum_.loop_length() >= patience_) mark(a, b, 2 * patience_);
+      return;
+    }
+    sum_.repeat_loop(times);
+    if (sum_.over()) return;
+    a_ = first_.state_of(track_a_.drifted(a, times));
+    b_ = second_.state_of(track_b_.drifted(b, times));
+    mark(first_.view(a_), second_.view(b_), 1);
+  }
+
+  const Machine& first_;
+  const Machine& second_;
+  State a_;
+  State b_;
+  Track track_a_;
+  Track track_b_;
+  std::uint64_t patience_ = 1;  // rounds until the mark moves on
+  Sum sum_;
 };
 
 }  // namespace
 
 PairResult play_deterministic(const Machine& first, const Machine& second, const Criterion& criterion,
                               std::uint64_t steps) {
-  // A past longer than this is dropped: its loops are not looked for.
-  constexpr std::size_t longest_past = std::size_t{1} << 22U;
-  Sum sum(criterion);
-  Past past;
-  std::vector<std::uint8_t> loop;
-  State a = first.start();
-  State b = second.start();
-  for (std::uint64_t step = 0; !sum.over(); ++step) {
-    if (step == steps) {
-      if (!criterion.is_finite()) break;
-      throw UsageError(fmt::format("no cycle within {} rounds, and {} asks for more", steps, criterion.to_string()));
+  Play play(first, second, criterion);
+  try {
+    for (std::uint64_t step = 0; !play.over(); ++step) {
+      if (step == steps && criterion.is_finite())
+        throw UsageError(fmt::format("no cycle within {} rounds, and {} asks for more", steps, criterion.to_string()));
+      if (step == steps) break;
+      play.step();
     }
-    Moment now{first.view(a), second.view(b), 0};
-    if (!past.moments().empty() &&
-        (past.moments().back().first.size != now.first.size || past.moments().back().second.size != now.second.size ||
-         past.moments().size() >= longest_past))
-      past.clear();
-    if (const auto before = past.enter(now)) {
-      // Controls repeat. The loop may go on as long as every counter on it stays in the range of its control.
-      const auto& moments = past.moments();
-      const Moment& start = moments[*before];
-      std::uint64_t times = for_ever;
-      for (std::size_t i = *before + 1; i < moments.size(); ++i)
-        times = std::min(
-            {times, room(moments[i].first, start.first, now.first), room(moments[i].second, start.second, now.second)});
-      const std::size_t length = moments.size() - 1 - *before;
-      if (sum.left() != for_ever) times = std::min(times, sum.left() / length);
-      if (times > 0) {
-        loop.clear();
-        for (std::size_t i = *before; i + 1 < moments.size(); ++i) loop.push_back(moments[i].played);
-        sum.add_loop(loop, times);
-        if (sum.over()) break;
-        a = first.state_of(drifted(now.first, start.first, times));
-        b = second.state_of(drifted(now.second, start.second, times));
-        past.clear();
-        continue;
-      }
-    }
-    const Move own = move_of(first, a);
-    const Move theirs = move_of(second, b);
-    now.played = static_cast<std::uint8_t>(outcome(own, theirs));
-    past.moments().back().played = now.played;
-    sum.add(now.played);
-    try {
-      a = first.next(a, own, theirs);
-      b = second.next(b, theirs, own);
-    } catch (const CounterOverflow&) {
-      if (criterion.is_finite()) throw;
-      break;
-    }
+  } catch (const CounterOverflow&) {
+    if (criterion.is_finite()) throw;
   }
-  return sum.result();
+  return play.result();
 }
 
 }  // namespace folk

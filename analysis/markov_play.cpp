@@ -1,14 +1,13 @@
 #include <folk/analysis/markov_play.h>
+#include <folk/analysis/state_reduction.h>
+#include <folk/strategies/product.h>
 
 #include <Eigen/Dense>
-#include <Eigen/SparseCore>
-#include <Eigen/SparseLU>
 #include <boost/graph/compressed_sparse_row_graph.hpp>
 #include <boost/graph/strong_components.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -17,7 +16,6 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using Sparse = Eigen::SparseMatrix<double>;
 
 /// A joint state: what happens in it, and where each outcome leads.
 struct Joint {
@@ -28,31 +26,20 @@ struct Joint {
 /// The joint states of a pair in breadth-first order, start first.
 using Chain = std::vector<Joint>;
 
-double really_cooperates(double intended, double noise) { return intended * (1 - noise) + (1 - intended) * noise; }
+/// P(C) and P(D) of the move really played, each without cancellation.
+std::array<double, 2> really_played(double intended, double noise) {
+  return {intended * (1 - noise) + (1 - intended) * noise, (1 - intended) * (1 - noise) + intended * noise};
+}
 
 std::optional<Chain> joint_chain(const Automaton& first, const Automaton& second, double noise, std::size_t most) {
-  std::unordered_map<std::uint64_t, std::uint32_t> numbers;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> states;
-  const auto number = [&](std::uint32_t a, std::uint32_t b) {
-    const auto [place, fresh] =
-        numbers.try_emplace((std::uint64_t{a} << 32U) | b, static_cast<std::uint32_t>(states.size()));
-    if (fresh) states.emplace_back(a, b);
-    return place->second;
-  };
-  number(static_cast<std::uint32_t>(first.start()), static_cast<std::uint32_t>(second.start()));
+  const auto joint_states = product(first, second, noise > 0 ? Sense::any_own_moves : Sense::own_moves_its_own, most);
+  if (!joint_states) return std::nullopt;
   Chain chain;
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    if (states.size() > most) return std::nullopt;
-    const auto [a, b] = states[i];
-    const double p = really_cooperates(first.nodes()[a].cooperation, noise);
-    const double q = really_cooperates(second.nodes()[b].cooperation, noise);
-    Joint joint{{p * q, p * (1 - q), (1 - p) * q, (1 - p) * (1 - q)}, {}};
-    for (std::size_t o = 0; o < 4; ++o)
-      if (joint.probability[o] > 0) {
-        const std::size_t theirs = ((o & 1U) << 1U) | (o >> 1U);  // the same outcome as the second player sees it
-        joint.next[o] = number(first.nodes()[a].next[o], second.nodes()[b].next[theirs]);
-      }
-    chain.push_back(joint);
+  chain.reserve(joint_states->size());
+  for (const JointNode& node : *joint_states) {
+    const auto p = really_played(first.nodes()[node.first].cooperation, noise);
+    const auto q = really_played(second.nodes()[node.second].cooperation, noise);
+    chain.push_back({{p[0] * q[0], p[0] * q[1], p[1] * q[0], p[1] * q[1]}, node.next});
   }
   return chain;
 }
@@ -64,25 +51,13 @@ OutcomeWeights outcomes_of(const Chain& chain, const VectorXd& visits) {
   return weights;
 }
 
-/// The transposed transition matrix: column i holds where state i leads.
-Sparse transposed_transitions(const Chain& chain) {
-  std::vector<Eigen::Triplet<double>> entries;
+Transitions transitions(const Chain& chain) {
+  const auto n = static_cast<Eigen::Index>(chain.size());
+  Transitions matrix = Transitions::Zero(n, n);
   for (std::size_t i = 0; i < chain.size(); ++i)
     for (std::size_t o = 0; o < 4; ++o)
-      if (chain[i].probability[o] > 0)
-        entries.emplace_back(static_cast<int>(chain[i].next[o]), static_cast<int>(i), chain[i].probability[o]);
-  const auto n = static_cast<Eigen::Index>(chain.size());
-  Sparse matrix(n, n);
-  matrix.setFromTriplets(entries.begin(), entries.end());
+      matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(chain[i].next[o])) += chain[i].probability[o];
   return matrix;
-}
-
-/// Solves a x = b; dense while that is quick.
-VectorXd solve(const Sparse& a, const VectorXd& b) {
-  if (a.rows() <= 200) return MatrixXd(a).partialPivLu().solve(b);
-  Eigen::SparseLU<Sparse> lu;
-  lu.compute(a);
-  return lu.solve(b);
 }
 
 VectorXd unit(std::size_t size, std::size_t at) {
@@ -91,7 +66,8 @@ VectorXd unit(std::size_t size, std::size_t at) {
   return vector;
 }
 
-OutcomeWeights round_by_round(const Chain& chain, std::uint64_t rounds) {
+/// Round t weighs continuation^t.
+OutcomeWeights round_by_round(const Chain& chain, std::uint64_t rounds, double continuation = 1) {
   std::vector<double> now(chain.size());
   std::vector<double> then(chain.size());
   OutcomeWeights weights{};
@@ -103,7 +79,7 @@ OutcomeWeights round_by_round(const Chain& chain, std::uint64_t rounds) {
       for (std::size_t o = 0; o < 4; ++o) {
         const double mass = now[i] * chain[i].probability[o];
         weights[o] += mass;
-        then[chain[i].next[o]] += mass;
+        then[chain[i].next[o]] += continuation * mass;
       }
     }
     std::swap(now, then);
@@ -114,9 +90,9 @@ OutcomeWeights round_by_round(const Chain& chain, std::uint64_t rounds) {
 /// Expected visits over T rounds by doubling: sum_{t<2k} Q^t = (I + Q^k) sum_{t<k} Q^t, Q the transposed transitions.
 OutcomeWeights by_doubling(const Chain& chain, std::uint64_t rounds) {
   const auto n = static_cast<Eigen::Index>(chain.size());
-  MatrixXd power = transposed_transitions(chain);  // Q^(2^j)
-  MatrixXd sum = MatrixXd::Identity(n, n);         // sum of Q^t for t < 2^j
-  VectorXd start = unit(chain.size(), 0);          // where the rounds not yet counted begin
+  MatrixXd power = transitions(chain).transpose();  // Q^(2^j)
+  MatrixXd sum = MatrixXd::Identity(n, n);          // sum of Q^t for t < 2^j
+  VectorXd start = unit(chain.size(), 0);           // where the rounds not yet counted begin
   VectorXd visits = VectorXd::Zero(n);
   for (std::uint64_t left = rounds; left > 0; left >>= 1U) {
     if ((left & 1U) != 0) {
@@ -133,12 +109,23 @@ OutcomeWeights by_doubling(const Chain& chain, std::uint64_t rounds) {
   return outcomes_of(chain, visits);
 }
 
-OutcomeWeights geometric(const Chain& chain, double continuation) {
-  const auto n = static_cast<Eigen::Index>(chain.size());
-  Sparse identity(n, n);
-  identity.setIdentity();
-  const Sparse system = identity - continuation * transposed_transitions(chain);
-  return outcomes_of(chain, solve(system, unit(chain.size(), 0)));
+/// Expected discounted outcomes, as weights that add up to 1: the stationary distribution of the chain that starts anew
+/// after each round with probability `stopping`.
+OutcomeWeights restarted(const Chain& chain, const Criterion& criterion) {
+  Transitions restart = criterion.continuation() * transitions(chain);
+  restart.col(0).array() += criterion.stopping();
+  return outcomes_of(chain, stationary_distribution(std::move(restart)));
+}
+
+/// The same, solved at once where that is quick, else round by round until less than 1e-17 is left.
+std::optional<OutcomeWeights> discounted_share(const Chain& chain, const Criterion& criterion,
+                                               const MarkovLimits& limits) {
+  if (chain.size() <= limits.solved_states) return restarted(chain, criterion);
+  const double rounds = std::ceil(std::log(1e-17) / std::log1p(-criterion.stopping()));
+  if (4 * rounds * static_cast<double>(chain.size()) > static_cast<double>(limits.work)) return std::nullopt;
+  OutcomeWeights weights = round_by_round(chain, static_cast<std::uint64_t>(rounds), criterion.continuation());
+  for (double& weight : weights) weight *= criterion.stopping();
+  return weights;
 }
 
 /// The strongly connected component of each joint state.
@@ -155,61 +142,47 @@ std::vector<int> components_of(const Chain& chain, int& count) {
   return component;
 }
 
-/// The stationary distribution of a recurrent class (its members' numbers), as a vector over the members.
-VectorXd stationary(const Chain& chain, const std::vector<std::size_t>& members) {
-  std::vector<Eigen::Index> place(chain.size(), -1);
+/// The place of each member among the members, -1 for others.
+std::vector<Eigen::Index> places_of(const std::vector<std::size_t>& members, std::size_t size) {
+  std::vector<Eigen::Index> place(size, -1);
   for (std::size_t k = 0; k < members.size(); ++k) place[members[k]] = static_cast<Eigen::Index>(k);
-  const auto n = static_cast<Eigen::Index>(members.size());
-  // Q pi = pi with the last equation replaced by sum pi = 1.
-  std::vector<Eigen::Triplet<double>> entries;
-  const auto put = [&](Eigen::Index row, Eigen::Index column, double value) {
-    if (row != n - 1) entries.emplace_back(static_cast<int>(row), static_cast<int>(column), value);
-  };
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const Joint& joint = chain[members[static_cast<std::size_t>(k)]];
-    put(k, k, -1);
-    for (std::size_t o = 0; o < 4; ++o)
-      if (joint.probability[o] > 0) put(place[joint.next[o]], k, joint.probability[o]);
-    entries.emplace_back(static_cast<int>(n - 1), static_cast<int>(k), 1.0);
-  }
-  Sparse system(n, n);
-  system.setFromTriplets(entries.begin(), entries.end());
-  return solve(system, unit(members.size(), members.size() - 1));
+  return place;
 }
 
-/// The probability with which play ends in each recurrent class, by the expected visits to the transient states.
+/// The stationary distribution of a recurrent class, over its members.
+VectorXd stationary(const Chain& chain, const std::vector<std::size_t>& members) {
+  const auto place = places_of(members, chain.size());
+  const auto n = static_cast<Eigen::Index>(members.size());
+  Transitions within = Transitions::Zero(n, n);
+  for (const std::size_t i : members)
+    for (std::size_t o = 0; o < 4; ++o)
+      if (chain[i].probability[o] > 0) within(place[i], place[chain[i].next[o]]) += chain[i].probability[o];
+  return stationary_distribution(std::move(within));
+}
+
+/// The probability with which play ends in each component.
 std::vector<double> absorption(const Chain& chain, const std::vector<int>& component,
-                               const std::vector<bool>& recurrent, std::size_t classes) {
-  std::vector<double> absorbed(classes, 0.0);
-  if (recurrent[static_cast<std::size_t>(component[0])]) {
-    absorbed[static_cast<std::size_t>(component[0])] = 1;
+                               const std::vector<bool>& recurrent) {
+  std::vector<double> absorbed(recurrent.size(), 0.0);
+  const auto home = [&](std::size_t i) { return static_cast<std::size_t>(component[i]); };
+  if (recurrent[home(0)]) {
+    absorbed[home(0)] = 1;
     return absorbed;
   }
   std::vector<std::size_t> transient;
-  std::vector<int> place(chain.size(), -1);
   for (std::size_t i = 0; i < chain.size(); ++i)
-    if (!recurrent[static_cast<std::size_t>(component[i])]) {
-      place[i] = static_cast<int>(transient.size());
-      transient.push_back(i);
-    }
-  std::vector<Eigen::Triplet<double>> entries;
-  for (const std::size_t i : transient) {
-    entries.emplace_back(place[i], place[i], 1.0);
-    for (std::size_t o = 0; o < 4; ++o)
-      if (chain[i].probability[o] > 0 && place[chain[i].next[o]] >= 0)
-        entries.emplace_back(place[chain[i].next[o]], place[i], -chain[i].probability[o]);
-  }
+    if (!recurrent[home(i)]) transient.push_back(i);
+  const auto place = places_of(transient, chain.size());
   const auto n = static_cast<Eigen::Index>(transient.size());
-  Sparse system(n, n);
-  system.setFromTriplets(entries.begin(), entries.end());
-  const VectorXd visits = solve(system, unit(transient.size(), static_cast<std::size_t>(place[0])));
-  for (std::size_t k = 0; k < transient.size(); ++k)
+  Transitions moves = Transitions::Zero(n, n + static_cast<Eigen::Index>(recurrent.size()));
+  for (const std::size_t i : transient)
     for (std::size_t o = 0; o < 4; ++o) {
-      const Joint& joint = chain[transient[k]];
-      if (joint.probability[o] > 0 && place[joint.next[o]] < 0)
-        absorbed[static_cast<std::size_t>(component[joint.next[o]])] +=
-            visits[static_cast<Eigen::Index>(k)] * joint.probability[o];
+      const std::size_t next = chain[i].next[o];
+      if (chain[i].probability[o] > 0)
+        moves(place[i], place[next] >= 0 ? place[next] : n + component[next]) += chain[i].probability[o];
     }
+  const VectorXd ends = absorption_probabilities(std::move(moves));
+  for (std::size_t c = 0; c < absorbed.size(); ++c) absorbed[c] = ends[static_cast<Eigen::Index>(c)];
   return absorbed;
 }
 
@@ -225,7 +198,7 @@ OutcomeWeights long_run(const Chain& chain) {
       if (chain[i].probability[o] > 0 && component[chain[i].next[o]] != component[i])
         recurrent[static_cast<std::size_t>(component[i])] = false;
   }
-  const std::vector<double> absorbed = absorption(chain, component, recurrent, classes);
+  const std::vector<double> absorbed = absorption(chain, component, recurrent);
   VectorXd frequencies = VectorXd::Zero(static_cast<Eigen::Index>(chain.size()));
   for (std::size_t c = 0; c < classes; ++c) {
     if (absorbed[c] <= 0) continue;
@@ -261,11 +234,17 @@ std::optional<PairResult> play_markov(const Automaton& first, const Automaton& s
       break;
     }
     case Criterion::Kind::discounted:
-      pair.weights = geometric(*chain, criterion.continuation());
-      for (double& weight : pair.weights) weight *= 1 - criterion.continuation();
+    case Criterion::Kind::ending: {
+      const auto share = discounted_share(*chain, criterion, limits);
+      if (!share) return std::nullopt;
+      pair.weights = *share;
+      for (double& weight : pair.weights) weight *= criterion.total_weight();
       break;
-    case Criterion::Kind::ending: pair.weights = geometric(*chain, criterion.continuation()); break;
-    case Criterion::Kind::mean: pair.weights = long_run(*chain); break;
+    }
+    case Criterion::Kind::mean:
+      if (chain->size() > limits.solved_states) return std::nullopt;
+      pair.weights = long_run(*chain);
+      break;
   }
   return pair;
 }

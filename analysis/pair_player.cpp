@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -13,8 +15,8 @@
 namespace folk {
 namespace {
 
-constexpr std::size_t largest_table = 1U << 16U;
-constexpr std::uint64_t longest_unrolling = 10'000;
+constexpr std::size_t largest_table = 1U << 17U;  // badbet has 90,519 states
+constexpr double longest_unrolling = 10'000;
 constexpr std::size_t largest_unrolling = 20'000;
 
 /// An automaton as bytes: two minimal automata behave alike iff these are equal.
@@ -23,7 +25,12 @@ std::string fingerprint(const Automaton& automaton) {
   return std::string(bytes, automaton.size() * sizeof(Automaton::Node));
 }
 
-bool is_deterministic(const Strategy& strategy) { return strategy.machine && strategy.machine->deterministic(); }
+/// The rounds after which nothing is left to weigh (less than 1e-17 of the whole); infinite for mean.
+double rounds_that_count(const Criterion& criterion) {
+  if (criterion.is_finite()) return static_cast<double>(criterion.rounds());
+  if (criterion.kind() == Criterion::Kind::mean) return std::numeric_limits<double>::infinity();
+  return criterion.continuation() > 0 ? std::ceil(std::log(1e-17) / std::log(criterion.continuation())) : 1;
+}
 
 }  // namespace
 
@@ -31,51 +38,56 @@ PairPlayer::PairPlayer(const std::vector<Strategy>& roster, const Sampling& samp
     : roster_(roster),
       sampling_(sampling),
       sense_(sampling.noise > 0 ? Sense::any_own_moves : Sense::own_moves_its_own),
-      chance_(sampling.noise > 0 || !std::all_of(roster.begin(), roster.end(), is_deterministic)),
       finders_(std::max(1U, workers)) {
+  std::vector<Prepared> prepared;
+  for (const auto& strategy : roster) prepared.push_back(prepare(strategy));
+  chance_ = sampling.noise > 0 ||
+            !std::all_of(prepared.begin(), prepared.end(), [](const Prepared& p) { return p.deterministic; });
   std::unordered_map<std::string, std::size_t> known;
   for (std::size_t i = 0; i < roster.size(); ++i) {
-    Prepared prepared = prepare(roster[i]);
+    if (chance_ && roster[i].machine && !prepared[i].automaton) unroll_into(prepared[i], *roster[i].machine);
     std::size_t behaviour = behaviours_.size();
-    if (prepared.automaton) {
-      const auto [place, fresh] = known.try_emplace(fingerprint(*prepared.automaton), behaviour);
+    if (prepared[i].automaton) {
+      const auto [place, fresh] = known.try_emplace(fingerprint(*prepared[i].automaton), behaviour);
       behaviour = place->second;
     }
     behaviour_of_.push_back(behaviour);
     if (behaviour < behaviours_.size()) continue;
     behaviours_.push_back(i);
-    prepared_.push_back(std::move(prepared));
-  }
-}
-
-std::optional<Automaton> PairPlayer::table_of(const Machine& machine) const {
-  if (machine.finite())
-    if (auto table = tabulate(machine, sense_, largest_table)) return table;
-  // A machine without end is finite as far as a few rounds can tell.
-  if (!chance_ || !sampling_.criterion.is_finite() || sampling_.criterion.rounds() > longest_unrolling)
-    return std::nullopt;
-  try {
-    return unroll(machine, sense_, static_cast<unsigned>(sampling_.criterion.rounds()), largest_unrolling);
-  } catch (const UsageError&) {
-    return std::nullopt;  // too many states
+    prepared_.push_back(std::move(prepared[i]));
   }
 }
 
 PairPlayer::Prepared PairPlayer::prepare(const Strategy& strategy) const {
-  if (!strategy.machine) return {};
-  auto table = table_of(*strategy.machine);
-  if (!table) return {};
-  Prepared prepared{minimise(*table, sense_), std::nullopt};
-  // The cycle of an unrolled machine would be that of its cut.
-  if (prepared.automaton->deterministic() && !table->beyond()) prepared.cycles.emplace(*prepared.automaton);
+  Prepared prepared;
+  if (!strategy.machine) return prepared;
+  prepared.deterministic = strategy.machine->deterministic();
+  if (!strategy.machine->finite()) return prepared;
+  if (const auto table = tabulate(*strategy.machine, sense_, largest_table)) {
+    prepared.automaton = minimise(*table, sense_);
+    // A state that mixes may be out of reach.
+    prepared.deterministic = prepared.automaton->deterministic();
+    if (prepared.deterministic) prepared.cycles.emplace(*prepared.automaton);
+  }
   return prepared;
+}
+
+void PairPlayer::unroll_into(Prepared& prepared, const Machine& machine) const {
+  // A machine without end is finite as far as a few rounds can tell.
+  const double rounds = rounds_that_count(sampling_.criterion);
+  if (!(rounds <= longest_unrolling)) return;
+  try {
+    prepared.automaton = minimise(unroll(machine, sense_, static_cast<unsigned>(rounds), largest_unrolling), sense_);
+  } catch (const UsageError&) {
+    // Too many states: its pairs are sampled.
+  }
 }
 
 PairResult PairPlayer::play(std::size_t a, std::size_t b, unsigned worker) {
   try {
     return play_best(a, b, worker);
   } catch (const UsageError& error) {
-    throw UsageError(fmt::format("{} against {}: {}; leave one of them out (--exclude) or play fewer rounds",
+    throw UsageError(fmt::format("{} against {}: {}; leave one of them out or play fewer rounds",
                                  roster_[behaviours_[a]].name, roster_[behaviours_[b]].name, error.what()));
   }
 }
@@ -85,7 +97,7 @@ PairResult PairPlayer::play_best(std::size_t a, std::size_t b, unsigned worker) 
   const Strategy& second = roster_[behaviours_[b]];
   const Prepared& x = prepared_[a];
   const Prepared& y = prepared_[b];
-  if (sampling_.noise == 0 && is_deterministic(first) && is_deterministic(second)) {
+  if (sampling_.noise == 0 && x.deterministic && y.deterministic) {
     if (x.cycles && y.cycles && CycleFinder::fits(*x.cycles, *y.cycles))
       return finders_[worker].play(*x.cycles, *y.cycles, sampling_.criterion);
     return play_deterministic(*first.machine, *second.machine, sampling_.criterion);
@@ -94,6 +106,12 @@ PairResult PairPlayer::play_best(std::size_t a, std::size_t b, unsigned worker) 
     if (const auto solved = play_markov(*x.automaton, *y.automaton, sampling_.noise, sampling_.criterion))
       return *solved;
   return play_sampled(first, second, (std::uint64_t{behaviours_[a]} << 32U) | behaviours_[b], sampling_);
+}
+
+PairResult play_pair(const Strategy& first, const Strategy& second, const Sampling& sampling) {
+  const std::vector<Strategy> roster{first, second};
+  PairPlayer player(roster, sampling, 1);
+  return player.play(player.behaviour_of()[0], player.behaviour_of()[1], 0);
 }
 
 }  // namespace folk

@@ -29,28 +29,32 @@ public:
   bool may_sample() const { return chance_; }
 
   /// The pair of two behaviours: by cycles where both are deterministic and nothing slips, else by their Markov chain
-  /// where both are finite (or the rounds are) and it is small enough, else by sampling.
+  /// where both are finite (or the rounds that count are) and it is small enough, else by sampling.
   /// Throws UsageError with both names where none of the three can be had.
   PairResult play(std::size_t a, std::size_t b, unsigned worker);
 
 private:
   struct Prepared {
+    bool deterministic = false;
     std::optional<Automaton> automaton;
     std::optional<CycleTable> cycles;
   };
 
   Prepared prepare(const Strategy& strategy) const;
-  std::optional<Automaton> table_of(const Machine& machine) const;
+  void unroll_into(Prepared& prepared, const Machine& machine) const;
   PairResult play_best(std::size_t a, std::size_t b, unsigned worker);
 
   const std::vector<Strategy>& roster_;
   Sampling sampling_;
   Sense sense_;
-  bool chance_;                     // something mixes or slips, so that Markov chains are needed
+  bool chance_ = false;             // something mixes or slips, so that Markov chains are needed
   std::vector<Prepared> prepared_;  // by behaviour
   std::vector<std::size_t> behaviour_of_;
   std::vector<std::size_t> behaviours_;
   std::vector<CycleFinder> finders_;  // one a worker
 };
+
+/// One pair, by the most exact way there is.
+PairResult play_pair(const Strategy& first, const Strategy& second, const Sampling& sampling = {});
 
 }  // namespace folk

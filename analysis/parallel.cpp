@@ -12,18 +12,16 @@ namespace folk {
 void parallel_for(std::size_t count, unsigned threads, const std::function<void(std::size_t, unsigned)>& work,
                   const std::function<void(double)>& progress) {
   std::atomic<std::size_t> next{0};
-  std::atomic<bool> stopped{false};
   std::mutex mutex;
   std::size_t done = 0;
-  std::size_t failed_at = count;
+  std::atomic<std::size_t> failed_at{count};  // pieces before it are still done: one of them may throw as well
   std::exception_ptr failure;
   const auto run = [&](unsigned worker) {
-    for (std::size_t i = next++; i < count && !stopped; i = next++) {
+    for (std::size_t i = next++; i < failed_at; i = next++) {
       try {
         work(i, worker);
       } catch (...) {
         const std::lock_guard lock(mutex);
-        stopped = true;
         if (i < failed_at) {
           failed_at = i;
           failure = std::current_exception();

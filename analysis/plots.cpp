@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <fstream>
 #include <string_view>
 #include <utility>
 
@@ -17,13 +18,15 @@ namespace {
 namespace fs = std::filesystem;
 using namespace gnuplot;
 
-void check(const std::vector<std::string>& names) {
-  if (names.empty()) throw UsageError("a picture needs at least one strategy");
-  if (names.size() > most_plotted)
+void check(std::size_t strategies) {
+  if (strategies == 0) throw UsageError("a picture needs at least one strategy");
+  if (strategies > most_plotted)
     throw UsageError(
         fmt::format("{} strategies are too many for a picture: at most {}; choose fewer or use the CSV files",
-                    names.size(), most_plotted));
+                    strategies, most_plotted));
 }
+
+constexpr const char* package = "gnuplot-nox";
 
 // ---- Heat map ------------------------------------------------------------------------------------------------------
 
@@ -225,7 +228,7 @@ std::string box_plot_axes(const BoxPlot& plot, const Layout& layout, const std::
   text += name_tics("ytics", plot.names, std::min(12.0, row - 1.5), "nomirror");
   text += "set border 3 lw 0.5 lc rgb '#666666'\n";
   text += "set grid xtics lt 1 lw 0.5 lc rgb '#dddddd'\n";
-  text += "set xtics nomirror scale 0.3 font ',12' textcolor rgb 'black'\n";
+  text += "set xtics nomirror format '%g' scale 0.3 font ',12' textcolor rgb 'black'\n";
   text += fmt::format("set label {} at {},{} center font ',12'\n", text_literal(plot.unit),
                       layout.x((layout.left + layout.right) / 2), layout.y(layout.bottom + 40));
   text += fmt::format(
@@ -264,7 +267,7 @@ std::string box_layers(const std::vector<std::pair<std::size_t, BoxSummary>>& bo
 }  // namespace
 
 std::string heat_map_script(const HeatMap& map, PictureFormat format, const fs::path& output) {
-  check(map.names);
+  check(map.names.size());
   const Layout layout = heat_map_layout(map);
   const auto range = colour_range(map);
   return opening(format, output, layout, map.title) + heat_map_axes(map, layout, range) +
@@ -272,7 +275,7 @@ std::string heat_map_script(const HeatMap& map, PictureFormat format, const fs::
 }
 
 std::string box_plot_script(const BoxPlot& plot, PictureFormat format, const fs::path& output) {
-  check(plot.names);
+  check(plot.names.size());
   const Layout layout = box_plot_layout(plot);
   const auto boxes = boxes_of(plot);
   return opening(format, output, layout, plot.title) + box_plot_axes(plot, layout, axis_range(boxes)) +
@@ -288,17 +291,38 @@ PictureFormat format_of(const fs::path& path) {
   throw UsageError(fmt::format("{}: a plot's file name ends in .svg, .png or .pdf", path.string()));
 }
 
+/// gnuplot ends well on a full disk too: what it wrote must have the end that its format has.
+void require_whole(const fs::path& written, PictureFormat format, const fs::path& path) {
+  const std::string_view end = format == PictureFormat::svg   ? "</svg>"
+                               : format == PictureFormat::png ? "IEND"
+                                                              : "%%EOF";
+  constexpr std::streamoff longest_tail = 32;
+  std::ifstream file(written, std::ios::binary | std::ios::ate);
+  const std::streamoff size = file ? std::streamoff{file.tellg()} : 0;
+  std::string tail(static_cast<std::size_t>(std::clamp<std::streamoff>(size, 0, longest_tail)), ' ');
+  file.seekg(size - static_cast<std::streamoff>(tail.size()));
+  file.read(tail.data(), static_cast<std::streamsize>(tail.size()));
+  if (tail.find(end) == std::string::npos)
+    throw EnvironmentError(fmt::format("{}: gnuplot did not write it to its end: is the disk full?", path.string()));
+}
+
 template <class Picture>
 void draw_with(const Picture& picture, const fs::path& path,
                std::string (*script)(const Picture&, PictureFormat, const fs::path&)) {
   const PictureFormat format = format_of(path);
   draw_file(path, [&](const fs::path& temporary) {
     // -d: whatever a user's own .gnuplot sets, the picture is the same.
-    run_renderer({"gnuplot", "-d", "-"}, script(picture, format, temporary), "gnuplot-nox");
+    run_renderer({"gnuplot", "-d", "-"}, script(picture, format, temporary), package);
+    require_whole(temporary, format, path);
   });
 }
 
 }  // namespace
+
+void require_plotter(std::size_t strategies) {
+  check(strategies);
+  run_renderer({"gnuplot", "--version"}, "", package);
+}
 
 void draw(const HeatMap& map, const fs::path& path) { draw_with(map, path, heat_map_script); }
 

@@ -44,6 +44,10 @@ struct BoxPlot {
 std::string heat_map_script(const HeatMap& map, PictureFormat format, const std::filesystem::path& output);
 std::string box_plot_script(const BoxPlot& plot, PictureFormat format, const std::filesystem::path& output);
 
+/// Throws what draw would throw before it draws, so that it shows before a long tournament and not after: UsageError on
+/// more than most_plotted strategies, RendererMissing without gnuplot.
+void require_plotter(std::size_t strategies);
+
 /// Draws to a file whose extension is .svg, .png or .pdf; a failure leaves no half picture.
 /// Throws UsageError as above and on another extension, RendererMissing without gnuplot, EnvironmentError when it fails
 /// or the file cannot be written.

@@ -1,89 +1,82 @@
 #include <folk/analysis/render.h>
+#include <folk/strategies/file_descriptor.h>
+#include <folk/strategies/spawn.h>
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
-#include <csignal>
-#include <cstdio>
-#include <cstring>
 #include <fstream>
-#include <memory>
 #include <optional>
+#include <sstream>
+#include <string_view>
 #include <system_error>
 
 #include <fcntl.h>
-#include <spawn.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-extern char** environ;
 
 namespace folk {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, CloseFile>;
+/// What is shown of one line of a program's standard error, in bytes.
+constexpr std::size_t longest_complaint = 400;
 
-/// An unnamed file that no child inherits but by an explicit dup2. Unlike a pipe it cannot fill up and block.
-File scratch_file() {
-  File file(std::tmpfile());
-  if (!file) throw EnvironmentError(fmt::format("no temporary file can be made: {}", std::strerror(errno)));
-  ::fcntl(::fileno(file.get()), F_SETFD, FD_CLOEXEC);
+std::string reason(int error) { return std::generic_category().message(error); }
+
+/// An unnamed file in memory, close-on-exec. Unlike a pipe it cannot fill up and block.
+FileDescriptor scratch_file() {
+  FileDescriptor file(::memfd_create("folk-render", MFD_CLOEXEC));
+  if (file.get() < 0) throw EnvironmentError(fmt::format("no temporary file can be made: {}", reason(errno)));
   return file;
 }
 
-/// The actions and attributes of posix_spawn, freed on every way out.
-class SpawnPlan {
-public:
-  SpawnPlan(std::FILE* input, std::FILE* errors) {
-    posix_spawn_file_actions_init(&actions_);
-    posix_spawnattr_init(&attributes_);
-    posix_spawn_file_actions_adddup2(&actions_, ::fileno(input), STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&actions_, ::fileno(errors), STDERR_FILENO);
-    posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    // Folk's programs ignore SIGPIPE; what they start should not.
-    sigset_t defaults;
-    sigemptyset(&defaults);
-    sigaddset(&defaults, SIGPIPE);
-    posix_spawnattr_setsigdefault(&attributes_, &defaults);
-    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGDEF);
+/// A scratch file that is read from its beginning.
+FileDescriptor scratch_file_with(std::string_view text) {
+  FileDescriptor file = scratch_file();
+  while (!text.empty()) {
+    const ssize_t written = ::write(file.get(), text.data(), text.size());
+    if (written >= 0)
+      text.remove_prefix(static_cast<std::size_t>(written));
+    else if (errno != EINTR)
+      throw EnvironmentError(fmt::format("a temporary file cannot be written: {}", reason(errno)));
   }
-  SpawnPlan(const SpawnPlan&) = delete;
-  SpawnPlan& operator=(const SpawnPlan&) = delete;
-  ~SpawnPlan() {
-    posix_spawn_file_actions_destroy(&actions_);
-    posix_spawnattr_destroy(&attributes_);
-  }
+  ::lseek(file.get(), 0, SEEK_SET);
+  return file;
+}
 
-  /// 0, or the error number of a program that could not be started.
-  int start(const std::vector<std::string>& argv, pid_t& child) const {
-    std::vector<char*> arguments;
-    for (const auto& argument : argv) arguments.push_back(const_cast<char*>(argument.c_str()));
-    arguments.push_back(nullptr);
-    return posix_spawnp(&child, arguments.front(), &actions_, &attributes_, arguments.data(), environ);
+/// The lines of a scratch file that are not blank, without the blanks around them.
+std::vector<std::string> lines_of(const FileDescriptor& file) {
+  std::string text;
+  std::array<char, 4096> block;
+  const auto read_on = [&] { return ::pread(file.get(), block.data(), block.size(), static_cast<off_t>(text.size())); };
+  for (ssize_t count = read_on(); count > 0; count = read_on())
+    text.append(block.data(), static_cast<std::size_t>(count));
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) {
+    const auto first = line.find_first_not_of(" \t\r");
+    if (first == std::string::npos) continue;
+    const auto last = line.find_last_not_of(" \t\r");
+    lines.push_back(line.substr(first, std::min(last + 1 - first, longest_complaint)));
   }
+  return lines;
+}
 
-private:
-  posix_spawn_file_actions_t actions_;
-  posix_spawnattr_t attributes_;
-};
-
-std::string first_line(std::FILE* file) {
-  std::rewind(file);
-  char line[400];
-  while (std::fgets(line, sizeof line, file) != nullptr) {
-    std::string text(line);
-    const auto last = text.find_last_not_of(" \t\r\n");
-    if (last == std::string::npos) continue;
-    text.resize(last + 1);
-    return text;
-  }
-  return "it said nothing";
+/// The line of a program's standard error that says why it failed. gnuplot repeats the command, points at the place,
+/// and says why in the last line; others say it first, dot perhaps after warnings.
+std::string complaint(const std::string& program, const FileDescriptor& errors) {
+  const auto lines = lines_of(errors);
+  if (lines.empty()) return "it said nothing";
+  if (program == "gnuplot") return lines.back();
+  const auto error =
+      std::find_if(lines.begin(), lines.end(), [](const auto& line) { return line.rfind("Error", 0) == 0; });
+  return error != lines.end() ? *error : lines.front();
 }
 
 /// How a child ended, or nothing when it ended well.
@@ -96,24 +89,23 @@ std::optional<std::string> failure(int status) {
 }  // namespace
 
 void run_renderer(const std::vector<std::string>& argv, const std::string& input, const std::string& package) {
-  const File standard_input = scratch_file();
-  const File errors = scratch_file();
-  if (std::fwrite(input.data(), 1, input.size(), standard_input.get()) != input.size() ||
-      std::fflush(standard_input.get()) != 0)
-    throw EnvironmentError(fmt::format("a temporary file cannot be written: {}", std::strerror(errno)));
-  std::rewind(standard_input.get());
+  const FileDescriptor standard_input = scratch_file_with(input);
+  const FileDescriptor dropped(::open("/dev/null", O_WRONLY | O_CLOEXEC));
+  if (dropped.get() < 0) throw EnvironmentError(fmt::format("/dev/null cannot be opened: {}", reason(errno)));
+  const FileDescriptor errors = scratch_file();
 
   const std::string& program = argv.front();
   pid_t child = 0;
-  const int error = SpawnPlan(standard_input.get(), errors.get()).start(argv, child);
-  if (error == ENOENT) throw RendererMissing(fmt::format("{} is not installed: apt-get install {}", program, package));
-  if (error != 0) throw EnvironmentError(fmt::format("{} cannot be started: {}", program, std::strerror(error)));
+  const auto error = spawn(child, argv, {standard_input.get(), dropped.get(), errors.get()}, ProcessGroup::ours);
+  if (error == std::errc::no_such_file_or_directory)
+    throw RendererMissing(fmt::format("{} is not installed: apt-get install {}", program, package));
+  if (error) throw EnvironmentError(fmt::format("{} cannot be started: {}", program, error.message()));
 
   int status = 0;
   while (::waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) throw EnvironmentError(fmt::format("{} was lost: {}", program, std::strerror(errno)));
+    if (errno != EINTR) throw EnvironmentError(fmt::format("{} was lost: {}", program, reason(errno)));
   if (const auto how = failure(status))
-    throw EnvironmentError(fmt::format("{} failed ({}): {}", program, *how, first_line(errors.get())));
+    throw EnvironmentError(fmt::format("{} failed ({}): {}", program, *how, complaint(program, errors)));
 }
 
 void draw_file(const fs::path& path, const std::function<void(const fs::path&)>& draw) {
@@ -125,7 +117,7 @@ void draw_file(const fs::path& path, const std::function<void(const fs::path&)>&
   std::error_code error;
   if (fs::is_directory(path, error)) throw cannot("it is a directory");
   // An empty file first: a missing or locked folder shows as one clear line, not as another program's complaint.
-  if (!std::ofstream(temporary)) throw cannot(std::strerror(errno));
+  if (!std::ofstream(temporary)) throw cannot(reason(errno));
   try {
     draw(temporary);
     fs::rename(temporary, path, error);

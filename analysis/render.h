@@ -18,8 +18,8 @@ public:
 
 /// Runs `argv` (the program is looked up on PATH, no shell is involved) with `input` on its standard input and waits.
 /// Its standard output is dropped. `package` is the Debian package that holds the program.
-/// Throws RendererMissing when the program is not installed, EnvironmentError with the first line of its standard error
-/// when it fails.
+/// Throws RendererMissing when the program is not installed, EnvironmentError with the most telling line of its
+/// standard error when it fails.
 void run_renderer(const std::vector<std::string>& argv, const std::string& input, const std::string& package);
 
 /// Has `draw` write a picture to a temporary name beside `path` and renames it, so that a failure leaves no half file.

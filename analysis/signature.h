@@ -1,5 +1,5 @@
 #pragma once
-// A 64-bit signature of what was computed: two runs agree in it iff they agree in everything that was added.
+// A 64-bit signature of what was computed: runs that differ in it differ in something that was added.
 
 #include <bit>
 #include <cstdint>

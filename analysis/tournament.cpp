@@ -17,10 +17,11 @@ namespace {
 
 using boost::multiprecision::cpp_int;
 
-/// Two scores that differ by rounding alone.
-bool equal_scores(long double a, long double b) {
-  return std::abs(a - b) <= 1e-12L * std::max({std::abs(a), std::abs(b), 1e-300L});
-}
+/// Scores that are no exact whole numbers count as equal within this share of the largest possible score.
+constexpr double rounding = 1e-12;
+
+/// Figures for more pairs of behaviours than this would not fit into the memory of a small machine.
+constexpr std::size_t most_behaviours = 10'000;
 
 double median_of(std::vector<double>& values) {
   if (values.empty()) return 0;
@@ -60,9 +61,11 @@ void Tournament::scale_payoffs() {
     scaled_payoffs_[o] = to_double(Rational(payoffs[o] * common));
     largest = std::max(largest, std::abs(scaled_payoffs_[o]));
   }
+  if (!std::isfinite(scale_) || !std::isfinite(largest))
+    throw UsageError(fmt::format("payoffs {}: too large or of too many digits to add up", to_text(settings_.payoffs)));
+  largest_score_ = settings_.criterion.total_weight() * largest;
   // Whole numbers are exact in a double up to 2^53, and sums of them in a long double up to 2^63.
-  const double score = settings_.criterion.total_weight() * largest;
-  if (!(score <= 0x1p53 && score * static_cast<double>(size()) < 0x1p63))
+  if (!(largest_score_ <= 0x1p53 && largest_score_ * static_cast<double>(size()) < 0x1p63))
     throw UsageError(
         fmt::format("{} entrants under {} would score too much to count exactly: play fewer rounds or give "
                     "payoffs of fewer digits",
@@ -75,6 +78,9 @@ void Tournament::play_pairs() {
                     settings_.threads);
   behaviour_of_ = player.behaviour_of();
   behaviours_ = player.behaviours().size();
+  if (behaviours_ > most_behaviours)
+    throw UsageError(fmt::format("{} strategies that all behave differently: a tournament takes up to {}", behaviours_,
+                                 most_behaviours));
   std::vector<std::size_t> members(behaviours_, 0);
   for (const std::size_t behaviour : behaviour_of_) ++members[behaviour];
   scores_.resize(behaviours_ * behaviours_);
@@ -94,6 +100,7 @@ void Tournament::play_pairs() {
         PairResult mirror = player.play(b, b, worker);
         // Both seats are the same entrant: its score is the mean of the two.
         mirror.weights[1] = mirror.weights[2] = (mirror.weights[1] + mirror.weights[2]) / 2;
+        // The two are correlated: the mean of their errors is an upper bound.
         mirror.first_error = mirror.second_error = (mirror.first_error + mirror.second_error) / 2;
         store(b, b, mirror);
       },
@@ -110,7 +117,8 @@ void Tournament::store(std::size_t a, std::size_t b, const PairResult& result) {
   }
   scores_[at] = own;
   cooperations_[at] = result.weights[0] + result.weights[1];
-  notes_[at] = Note{result.method, own > theirs && !equal_scores(own, theirs)};
+  const bool exact = result.method == Method::cycle && settings_.criterion.is_finite();
+  notes_[at] = Note{result.method, own - theirs > (exact ? 0 : rounding * largest_score_)};
   if (!errors_.empty()) errors_[at] = result.first_error;
 }
 
@@ -155,7 +163,8 @@ RankingEntry Tournament::entry(std::size_t i) const {
   long double total = 0;
   double cooperations = 0;
   double normalised_sum = 0;
-  double variance = 0;
+  // Opponents that behave alike share one sample: their errors add up, those of different ones are independent.
+  std::vector<double> error_of(errors_.empty() ? 0 : behaviours_);
   bool all_normalised = true;
   std::vector<double> scores;
   scores.reserve(size());
@@ -166,7 +175,7 @@ RankingEntry Tournament::entry(std::size_t i) const {
     total += static_cast<long double>(scores_[at]);
     scores.push_back(scores_[at]);
     cooperations += cooperations_[at];
-    if (!errors_.empty()) variance += errors_[at] * errors_[at];
+    if (!errors_.empty()) error_of[behaviour_of_[j]] += errors_[at];
     entry.method = std::max(entry.method, notes_[at].method);
     entry.wins += notes_[at].wins ? 1 : 0;
     all_normalised = all_normalised && column_means_[j] > 0;
@@ -178,7 +187,8 @@ RankingEntry Tournament::entry(std::size_t i) const {
   entry.mean = static_cast<double>(entry.total) / count / weight;
   entry.median = median_of(scores) / scale_ / weight;
   entry.cooperation_rate = cooperations / count / weight;
-  entry.error = std::sqrt(variance);
+  for (const double error : error_of) entry.error += error * error;
+  entry.error = std::sqrt(entry.error);
   if (all_normalised) entry.normalised = 100 * normalised_sum / scale_ / count;
   return entry;
 }
@@ -202,9 +212,13 @@ void Tournament::rank() {
   std::sort(ranking_.begin(), ranking_.end(), [](const RankingEntry& a, const RankingEntry& b) {
     return std::pair(-a.total, a.entrant) < std::pair(-b.total, b.entrant);
   });
+  const long double slack = rounding * largest_score_ / scale_ * static_cast<double>(opponents());
+  const auto equal = [&](const RankingEntry& a, const RankingEntry& b) {
+    const bool exact = settings_.criterion.is_finite() && a.method == Method::cycle && b.method == Method::cycle;
+    return exact ? a.total == b.total : std::abs(a.total - b.total) <= slack;
+  };
   for (auto first = ranking_.begin(); first != ranking_.end();) {
-    const auto last =
-        std::find_if(first, ranking_.end(), [&](const auto& e) { return !equal_scores(e.total, first->total); });
+    const auto last = std::find_if(first, ranking_.end(), [&](const auto& e) { return !equal(e, *first); });
     // Totals that differ by rounding alone stand in roster order, like equal ones.
     std::sort(first, last, [](const auto& a, const auto& b) { return a.entrant < b.entrant; });
     const auto shared = static_cast<std::size_t>(first - ranking_.begin()) + 1;

@@ -12,6 +12,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace folk {
@@ -54,6 +55,10 @@ public:
   /// totals beyond 2^63 in units of the payoffs' last digit, and (with both names) a pair that neither closes nor ends
   /// within 10^8 rounds.
   Tournament(std::vector<Strategy> roster, std::size_t core, TournamentSettings settings);
+
+  /// The same, nobody being a guest.
+  explicit Tournament(std::vector<Strategy> roster, TournamentSettings settings = {})
+      : Tournament(roster, roster.size(), std::move(settings)) {}
 
   std::size_t size() const { return roster_.size(); }
   std::size_t core() const { return core_; }
@@ -102,6 +107,7 @@ private:
   TournamentSettings settings_;
   std::array<double, 4> scaled_payoffs_{};  // by outcome, whole numbers: payoffs times scale_
   double scale_ = 1;
+  double largest_score_ = 0;               // of any pair, scaled
   std::vector<std::size_t> behaviour_of_;  // of each entrant
   std::size_t behaviours_ = 0;
 

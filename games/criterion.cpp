@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <stdexcept>
 
 namespace folk {
@@ -84,6 +85,18 @@ double Criterion::continuation() const {
   }
   throw std::logic_error("unknown criterion");
 }
+
+double Criterion::stopping() const {
+  switch (kind_) {
+    case Kind::discounted: return 1 - number_;
+    case Kind::ending: return number_;
+    case Kind::finite:
+    case Kind::mean: return 0;
+  }
+  throw std::logic_error("unknown criterion");
+}
+
+double Criterion::lost_within(double rounds) const { return -std::expm1(rounds * std::log1p(-stopping())); }
 
 double Criterion::total_weight() const {
   switch (kind_) {

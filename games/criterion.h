@@ -41,6 +41,13 @@ public:
   /// Weight of round t relative to round t-1: d for discounted, 1-p for ending, 1 for finite and mean.
   double continuation() const;
 
+  /// One less continuation(), without rounding for ending: 1-d, p, and 0 for finite and mean.
+  double stopping() const;
+
+  /// The share of the weight that is gone after this many rounds, 1 - continuation^rounds, exact also where the
+  /// continuation is close to 1.
+  double lost_within(double rounds) const;
+
   /// The weights of all rounds added up: T, 1, 1 and 1/p.
   double total_weight() const;
 

@@ -181,8 +181,10 @@ Automaton minimise(const Automaton& automaton, Sense sense) {
   Exploration found = explore(Automaton(std::move(quotient), classes[automaton.start()]), sense, count);
   if (!automaton.beyond()) return Automaton(std::move(found.nodes), 0);
   const State past_horizon = classes[*automaton.beyond()];
-  const auto place = std::find(found.states.begin(), found.states.end(), past_horizon) - found.states.begin();
-  return Automaton(std::move(found.nodes), 0, static_cast<std::uint32_t>(place));
+  const auto place = std::find(found.states.begin(), found.states.end(), past_horizon);
+  // In a narrower sense than the unrolling's nothing may lead past the horizon.
+  if (place == found.states.end()) return Automaton(std::move(found.nodes), 0);
+  return Automaton(std::move(found.nodes), 0, static_cast<std::uint32_t>(place - found.states.begin()));
 }
 
 }  // namespace folk

@@ -1,10 +1,10 @@
 #include <folk/games/error.h>
 #include <folk/strategies/child_process.h>
+#include <folk/strategies/spawn.h>
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -27,17 +27,19 @@ using Clock = std::chrono::steady_clock;
 
 double seconds(milliseconds time) { return std::chrono::duration<double>(time).count(); }
 
-std::string reason(int error) { return std::generic_category().message(error); }
-
 struct Pipe {
   FileDescriptor read_end;
   FileDescriptor write_end;
 };
 
-/// Moves a descriptor above 0, 1 and 2, where the child's own go (they are free when the host closed them).
+[[noreturn]] void fail_to_start(const std::string& name, const std::error_code& error) {
+  throw EnvironmentError(
+      fmt::format("{}: cannot be started: {}; fewer programs at once may help", name, error.message()));
+}
+
+/// A pipe that takes the place of a standard stream which the host closed would receive what the host writes there.
 FileDescriptor above_standard(FileDescriptor descriptor) {
-  if (descriptor.get() > 2) return descriptor;
-  return FileDescriptor(::fcntl(descriptor.get(), F_DUPFD_CLOEXEC, 3));
+  return descriptor.get() > STDERR_FILENO ? std::move(descriptor) : duplicate_above_standard(descriptor.get());
 }
 
 /// Close-on-exec from birth: otherwise a child started by another thread keeps the ends open and nobody sees their end.
@@ -47,8 +49,7 @@ Pipe open_pipe(const std::string& name) {
   Pipe pipe;
   if (opened) pipe = {above_standard(FileDescriptor(ends[0])), above_standard(FileDescriptor(ends[1]))};
   if (!opened || pipe.read_end.get() < 0 || pipe.write_end.get() < 0)
-    throw EnvironmentError(
-        fmt::format("{}: cannot be started: {}; fewer programs at once may help", name, reason(errno)));
+    fail_to_start(name, std::error_code(errno, std::generic_category()));
   return pipe;
 }
 
@@ -91,43 +92,6 @@ ssize_t write_without_signal(const FileDescriptor& descriptor, std::string_view 
   return written;
 }
 
-/// posix_spawn's two tables, freed whatever happens.
-struct SpawnTables {
-  posix_spawn_file_actions_t actions;
-  posix_spawnattr_t attributes;
-
-  SpawnTables() {
-    ::posix_spawn_file_actions_init(&actions);
-    ::posix_spawnattr_init(&attributes);
-  }
-  ~SpawnTables() {
-    ::posix_spawn_file_actions_destroy(&actions);
-    ::posix_spawnattr_destroy(&attributes);
-  }
-  SpawnTables(const SpawnTables&) = delete;
-  SpawnTables& operator=(const SpawnTables&) = delete;
-};
-
-/// Starts the command in its own process group with the ordinary signal handling of a new program. Returns an errno.
-int spawn(pid_t& id, const std::string& command, const FileDescriptor& input, const FileDescriptor& output) {
-  SpawnTables tables;
-  ::posix_spawn_file_actions_adddup2(&tables.actions, input.get(), STDIN_FILENO);
-  ::posix_spawn_file_actions_adddup2(&tables.actions, output.get(), STDOUT_FILENO);
-  sigset_t signals;
-  sigemptyset(&signals);
-  ::posix_spawnattr_setsigmask(&tables.attributes, &signals);
-  sigaddset(&signals, SIGPIPE);
-  ::posix_spawnattr_setsigdefault(&tables.attributes, &signals);
-  ::posix_spawnattr_setpgroup(&tables.attributes, 0);
-  ::posix_spawnattr_setflags(&tables.attributes,
-                             POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-  std::string shell = "sh";
-  std::string option = "-c";
-  std::string text = command;
-  const std::array<char*, 4> arguments{shell.data(), option.data(), text.data(), nullptr};
-  return ::posix_spawn(&id, "/bin/sh", &tables.actions, &tables.attributes, arguments.data(), ::environ);
-}
-
 std::string describe_end(const siginfo_t& end) {
   constexpr auto mend = "in the middle of a match; it must read and answer until the line 'end'";
   if (end.si_code != CLD_EXITED) {
@@ -144,28 +108,13 @@ std::string describe_end(const siginfo_t& end) {
 
 }  // namespace
 
-FileDescriptor::FileDescriptor(FileDescriptor&& other) noexcept
-    : number_(std::exchange(other.number_, -1)) {}
-
-FileDescriptor& FileDescriptor::operator=(FileDescriptor&& other) noexcept {
-  if (this != &other) {
-    close();
-    number_ = std::exchange(other.number_, -1);
-  }
-  return *this;
-}
-
-void FileDescriptor::close() {
-  if (number_ >= 0) ::close(number_);
-  number_ = -1;
-}
-
 ChildProcess::ChildProcess(std::string name, const std::string& command)
     : name_(std::move(name)) {
   Pipe input = open_pipe(name_);
   Pipe output = open_pipe(name_);
-  if (const int error = spawn(id_, command, input.read_end, output.write_end); error != 0)
-    throw EnvironmentError(fmt::format("{}: cannot be started: {}", name_, reason(error)));
+  const StandardStreams streams{input.read_end.get(), output.write_end.get(), StandardStreams::shared};
+  if (const auto error = spawn(id_, {"/bin/sh", "-c", command}, streams, ProcessGroup::own))
+    fail_to_start(name_, error);
   to_child_ = std::move(input.write_end);
   from_child_ = std::move(output.read_end);
   set_non_blocking(to_child_);

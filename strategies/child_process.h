@@ -1,6 +1,8 @@
 #pragma once
 // A shell command that runs beside us, with lines of text in both directions.
 
+#include <folk/strategies/file_descriptor.h>
+
 #include <sys/types.h>
 
 #include <chrono>
@@ -9,23 +11,6 @@
 #include <string_view>
 
 namespace folk {
-
-/// An open file descriptor that closes itself.
-class FileDescriptor {
-public:
-  FileDescriptor() = default;
-  explicit FileDescriptor(int number)
-      : number_(number) {}
-  FileDescriptor(FileDescriptor&& other) noexcept;
-  FileDescriptor& operator=(FileDescriptor&& other) noexcept;
-  ~FileDescriptor() { close(); }
-
-  int get() const { return number_; }
-  void close();
-
-private:
-  int number_ = -1;
-};
 
 /// `/bin/sh -c COMMAND` with its stdin and stdout on pipes of ours; stderr is shared with ours.
 ///

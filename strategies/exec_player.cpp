@@ -117,7 +117,12 @@ Strategy exec_strategy(const std::string& command, milliseconds time_out) {
     throw UsageError(fmt::format("exec: command '{}' has control characters; put it into a script", excerpt(command)));
   if (time_out < milliseconds(1) || time_out > std::chrono::hours(24))
     throw UsageError(fmt::format("exec: time-out of {} ms: expected 1 ms to a day", time_out.count()));
-  const std::string name = fmt::format("exec:\"{}\"", command);
+  std::string escaped;  // so that the registry reads the name back to the same command
+  for (const char c : command) {
+    if (c == '"' || c == '\\') escaped += '\\';
+    escaped += c;
+  }
+  const std::string name = fmt::format("exec:\"{}\"", escaped);
   return {name, nullptr,
           [=]() -> std::unique_ptr<Player> { return std::make_unique<ExecPlayer>(name, command, time_out); }};
 }

@@ -1,16 +1,9 @@
 #pragma once
 // gradual and its variants: punish longer each time, then calm down (Beaufils, Delahaye & Mathieu 1996).
 
-#include <folk/games/error.h>
 #include <folk/strategies/machine.h>
 
 namespace folk {
-
-/// A machine's counter outgrew its place in the state.
-class CounterOverflow : public UsageError {
-public:
-  using UsageError::UsageError;
-};
 
 /// C until provoked; then n times D, C, C, and it watches their last move again.
 class GradualMachine final : public Machine {

@@ -1,6 +1,7 @@
 #pragma once
 // A strategy as a Moore machine on one 64-bit word: everything exact in Folk follows from this interface.
 
+#include <folk/games/error.h>
 #include <folk/games/move.h>
 
 #include <array>
@@ -28,11 +29,18 @@ struct CounterView {
   std::array<Counter, 2> counters{};
 };
 
+/// A machine's counter outgrew its place in the state; thrown by Machine::next and Machine::state_of.
+class CounterOverflow : public UsageError {
+public:
+  using UsageError::UsageError;
+};
+
 /// A Moore machine: the move depends on the state, the next state on both moves really played.
 ///
 /// Infinite machines (majorities, gradual) say how their state splits into control and counters, so that a run of
-/// rounds in which only counters drift can be skipped exactly. Their contract: with control and number of counters
-/// kept, the next control and what is added to each counter depend on (control, own, theirs) alone.
+/// rounds in which only counters drift can be skipped exactly. Their contract: what a round adds to each counter
+/// depends on (control, own, theirs) alone unless the number of counters changes, and so does the next control as long
+/// as the new values lie in the ranges that it comes with.
 class Machine {
 public:
   virtual ~Machine() = default;

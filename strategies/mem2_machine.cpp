@@ -1,5 +1,7 @@
 #include <folk/strategies/mem2_machine.h>
 
+#include <array>
+
 namespace folk {
 namespace {
 
@@ -23,11 +25,14 @@ struct Memo {
     return {s & 3U, (s >> 2U) & 3U, (s >> 4U) & 3U, (s & 64U) != 0, (s & 128U) != 0, (s & 256U) != 0};
   }
 
-  void choose() {
-    const unsigned both = last + before;
-    if (last == 0 && before == 0) {
+  void choose(bool by_payoffs) {
+    constexpr std::array<unsigned, 4> points{3, 0, 5, 1};
+    const unsigned sum = points[last] + points[before];
+    const bool both_cooperated = by_payoffs ? sum == 6 : last == 0 && before == 0;
+    const bool took_turns = by_payoffs ? sum == 5 : last != before && last + before == 3 && last != 0 && before != 0;
+    if (both_cooperated) {
       plan = tit_for_tat;
-    } else if (both == 3 && (last == 1 || last == 2)) {
+    } else if (took_turns) {
       plan = tit_for_two_tats;
     } else {
       plan = defected_once ? all_d_for_ever : all_d;
@@ -58,7 +63,7 @@ State Mem2Machine::next(State state, Move own, Move theirs) const {
   memo.last = static_cast<unsigned>(outcome(own, theirs));
   memo.odd = !memo.odd;
   if (memory_ == Memory::stored_twice && memo.late) memo.before = memo.last;
-  if (!memo.odd || (memory_ == Memory::stored_twice && memo.late)) memo.choose();
+  if (!memo.odd || (memory_ == Memory::stored_twice && memo.late)) memo.choose(memory_ == Memory::stored_twice);
   if (memory_ == Memory::stored_twice && !memo.odd) memo.late = true;
   if (memo.plan == all_d_for_ever) return Memo{.plan = all_d_for_ever}.pack();
   return memo.pack();

@@ -12,8 +12,8 @@ class Mem2Machine final : public Machine {
 public:
   enum class Memory {
     rounds,       ///< looks at the last two rounds after rounds 2, 4, 6, ...
-    stored_twice  ///< the program published with arXiv 2310.04579: from round 3 on each round is stored twice, so that
-                  ///< every later choice looks at the last round twice
+    stored_twice  ///< the program published with arXiv 2310.04579: chooses by payoff sums at 5, 3, 1, 0; from round 3
+                  ///< on it stores each round twice, and so chooses after each, by that round twice
   };
 
   explicit Mem2Machine(Memory memory)

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <numeric>
 #include <set>
+#include <stdexcept>
 #include <utility>
 
 namespace folk {
@@ -86,10 +87,16 @@ std::vector<std::string> split_list(std::string_view text) {
   return parts;
 }
 
+bool same_name(std::string_view a, std::string_view b) {
+  constexpr std::string_view command = "exec:";
+  if (a.starts_with(command) || b.starts_with(command)) return a == b;
+  return name_key(a) == name_key(b);
+}
+
 void refuse_duplicates(const std::vector<Strategy>& roster) {
-  std::set<std::string_view> seen;
+  std::set<std::string> seen;
   for (const auto& strategy : roster)
-    if (!seen.insert(strategy.name).second)
+    if (!seen.insert(strategy.name.starts_with("exec:") ? strategy.name : name_key(strategy.name)).second)
       throw UsageError(fmt::format("strategy '{}' is given twice: name it once (other names of it count too)",
                                    excerpt(strategy.name, 100)));
 }
@@ -97,8 +104,10 @@ void refuse_duplicates(const std::vector<Strategy>& roster) {
 void Registry::add(Description description, NamedMaker make) {
   const Call call = split_call(description.name);
   const Named named{strategies_.size(), call.arguments.has_value(), std::move(make)};
-  named_[name_key(call.head)] = named;
-  for (const auto& alias : description.aliases) named_[name_key(alias)] = named;
+  std::set<std::string> keys{name_key(call.head)};
+  for (const auto& alias : description.aliases) keys.insert(name_key(alias));
+  for (const auto& key : keys)
+    if (!named_.try_emplace(key, named).second) throw std::logic_error("two strategies are called " + key);
   strategies_.push_back(std::move(description));
 }
 
@@ -184,6 +193,8 @@ const Description& Registry::describe(std::string_view name) const {
   for (const auto& prefix : prefixes_)
     if (name.substr(0, prefix.prefix.size()) == prefix.prefix) return strategies_[prefix.description];
   if (const Named* named = find_named(name)) return strategies_[named->description];
+  for (const auto& group : groups_)
+    if (name_key(split_call(group.name).head) == name_key(split_call(name).head)) return group;
   for (const auto& form : forms_)
     if (form.make(name, {})) return strategies_[form.description];
   unknown(name);

@@ -35,6 +35,7 @@ public:
   static Registry standard();
 
   /// One strategy whose whole name is known, with its aliases. A name with "(...)" takes arguments.
+  /// Throws std::logic_error when one of the names is taken.
   void add(Description description, NamedMaker make);
 
   /// Strategies whose names have a form (mem12_ccCDCDDCDD): `make` returns nothing where the name is not of the form.
@@ -61,7 +62,8 @@ public:
   const std::vector<Description>& strategies() const { return strategies_; }
   const std::vector<Description>& groups() const { return groups_; }
 
-  /// What is known of the strategy that `name` stands for; the description of its family for a member of one.
+  /// What is known of the strategy, roster or family that `name` stands for, "gtft(0.3)" and mem12_ccCDCDDCDD included.
+  /// Throws UsageError for an unknown name.
   const Description& describe(std::string_view name) const;
 
 private:
@@ -104,7 +106,10 @@ std::string name_key(std::string_view name);
 /// Throws UsageError on an unclosed bracket or quote.
 std::vector<std::string> split_list(std::string_view text);
 
-/// Throws UsageError when two strategies of a roster share a name.
+/// True when two strategies' names are matched alike; commands of programs are compared letter by letter.
+bool same_name(std::string_view a, std::string_view b);
+
+/// Throws UsageError when two strategies of a roster have the same_name.
 void refuse_duplicates(const std::vector<Strategy>& roster);
 
 }  // namespace folk

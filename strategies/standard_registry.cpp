@@ -44,12 +44,28 @@ void add_machine(Registry& registry, Description description, M machine) {
 
 // ---- arguments ----
 
-/// Arguments as text, split at ',' and ';'.
+/// Arguments as text, split at ',' and ';', without the blanks around them; an empty one is kept.
 std::vector<std::string> arguments_of(std::string_view text) {
-  std::string commas(text);
-  for (char& c : commas)
-    if (c == ';') c = ',';
-  return split_list(commas);
+  std::vector<std::string> arguments(1);
+  for (const char c : text) {
+    if (c == ',' || c == ';') {
+      arguments.emplace_back();
+    } else if (c != ' ') {
+      arguments.back() += c;
+    }
+  }
+  return arguments;
+}
+
+/// What stands between double quotes, \" and \\ read as " and \; a text without quotes as it is.
+std::string unquoted(std::string_view text) {
+  if (text.size() < 2 || text.front() != '"' || text.back() != '"') return std::string(text);
+  std::string inside;
+  for (std::size_t i = 1; i + 1 < text.size(); ++i) {
+    if (text[i] == '\\' && i + 2 < text.size() && (text[i + 1] == '"' || text[i + 1] == '\\')) ++i;
+    inside += text[i];
+  }
+  return inside;
 }
 
 std::vector<double> probabilities(const std::vector<std::string>& arguments, std::size_t from, std::string_view what) {
@@ -80,26 +96,36 @@ std::shared_ptr<const Machine> machine_of(std::string_view data) {
   return std::make_shared<Automaton>(read_machine_line(data));
 }
 
-void add_finite(Registry& registry, std::string_view name) {
-  for (const auto& entry : finite_strategies()) {
-    if (entry.name != name) continue;
-    registry.add({std::string(entry.name),
-                  {entry.aliases.begin(), entry.aliases.end()},
-                  std::string(entry.behaviour),
-                  std::string(entry.reference)},
-                 [data = entry.machine](const std::string& full_name, std::string_view, const Payoffs&) {
-                   return Strategy{full_name, machine_of(data), nullptr};
-                 });
-    return;
-  }
-  throw std::logic_error("no data for the strategy " + std::string(name));
+void add_finite(Registry& registry, const FiniteStrategy& entry) {
+  registry.add({std::string(entry.name),
+                {entry.aliases.begin(), entry.aliases.end()},
+                std::string(entry.behaviour),
+                std::string(entry.reference)},
+               [data = entry.machine](const std::string& full_name, std::string_view, const Payoffs&) {
+                 return Strategy{full_name, machine_of(data), nullptr};
+               });
 }
+
+/// Adds the next lines of the data, up to and with the one of this name; to the end without a name. The classics that
+/// are no data stand among them in the order of the literature.
+class FiniteLines {
+public:
+  void add_up_to(Registry& registry, std::string_view name) {
+    for (bool found = false; !found && next_ != finite_strategies().end(); ++next_) {
+      add_finite(registry, *next_);
+      found = next_->name == name;
+    }
+  }
+
+private:
+  std::vector<FiniteStrategy>::const_iterator next_ = finite_strategies().begin();
+};
 
 using Counts = GradualMachine::Counts;
 using Calm = GradualMachine::Calm;
 
-void add_classics(Registry& registry) {
-  for (const char* name : {"all_c", "all_d", "tit_for_tat", "spiteful"}) add_finite(registry, name);
+void add_classics(Registry& registry, FiniteLines& finite) {
+  finite.add_up_to(registry, "spiteful");
   add_machine(registry,
               {"soft_majo", {"GoByMajority"}, "C while their C count >= their D count (so C first)", mathieu_delahaye},
               MajorityMachine(MajorityMachine::Tie::cooperate));
@@ -107,15 +133,14 @@ void add_classics(Registry& registry) {
       registry,
       {"hard_majo", {"HardGoByMajority"}, "C only while their C count > their D count (so D first)", mathieu_delahaye},
       MajorityMachine(MajorityMachine::Tie::defect));
-  for (const char* name : {"per_ddc", "per_ccd", "mistrust", "per_cd", "pavlov", "tf2t", "hard_tft", "slow_tft"})
-    add_finite(registry, name);
+  finite.add_up_to(registry, "slow_tft");
   add_machine(registry,
               {"gradual",
                {},
                "C until provoked by a D; then n D in a row, n = all their D so far, and C, C to calm down",
                "Beaufils, Delahaye & Mathieu, Artificial Life V, 1996"},
               GradualMachine(Counts::every_defection, Calm::watches_second_round));
-  add_finite(registry, "prober");
+  finite.add_up_to(registry, "prober");
   add_machine(registry,
               {"mem2",
                {},
@@ -125,9 +150,8 @@ void add_classics(Registry& registry) {
               Mem2Machine(Mem2Machine::Memory::rounds));
 }
 
-void add_later(Registry& registry) {
-  for (const char* name : {"grudger", "spiteful_cc", "tft_spiteful", "winner12", "winner21"})
-    add_finite(registry, name);
+void add_later(Registry& registry, FiniteLines& finite) {
+  finite.add_up_to(registry, {});
   add_machine(registry,
               {"gradual_soft",
                {"OriginalGradual"},
@@ -139,7 +163,10 @@ void add_later(Registry& registry) {
       {"gradual_sct", {}, "as gradual, but a D in either of the two calming rounds does not provoke", sct_program},
       GradualMachine(Counts::every_defection, Calm::ignores_both_rounds));
   add_machine(registry,
-              {"mem2_sct", {}, "as mem2, but from round 3 on it takes the last round for the last two", sct_program},
+              {"mem2_sct",
+               {},
+               "as mem2 by payoff sums, but from round 3 on it chooses after each round, by that round twice",
+               sct_program},
               Mem2Machine(Mem2Machine::Memory::stored_twice));
   add_machine(registry,
               {"badbet",
@@ -148,7 +175,6 @@ void add_later(Registry& registry) {
                "that paid most since it was last picked",
                mathieu_delahaye},
               BadbetMachine());
-  add_finite(registry, "lunatic");
 }
 
 // ---- strategies with parameters ----
@@ -270,7 +296,8 @@ void add_forms(Registry& registry) {
       {"@FILE", {}, "all machines of a file, or @FILE#NAME one of them", "docs/machine-files.md"}, "@",
       [](std::string_view item, const Payoffs&) {
         const auto hash = item.rfind('#');
-        const std::string path(item.substr(0, hash));
+        const std::string path = unquoted(item.substr(0, hash));
+        if (path.empty()) throw UsageError("'@' needs the name of a file, as in @my.machines");
         std::vector<Strategy> found;
         for (auto& [name, machine] : read_machines(read_text_file(path), path))
           if (hash == std::string_view::npos || name_key(name) == name_key(item.substr(hash + 1)))
@@ -281,9 +308,7 @@ void add_forms(Registry& registry) {
       });
   registry.add_prefix({"exec:\"CMD\"", {}, "a program that is asked for its moves on a pipe", "docs/exec-protocol.md"},
                       "exec:", [](std::string_view item, const Payoffs&) {
-                        if (item.size() >= 2 && item.front() == '"' && item.back() == '"')
-                          item = item.substr(1, item.size() - 2);
-                        return std::vector<Strategy>{exec_strategy(std::string(item))};
+                        return std::vector<Strategy>{exec_strategy(unquoted(item))};
                       });
 }
 
@@ -361,8 +386,9 @@ void add_rosters(Registry& registry) {
 
 Registry Registry::standard() {
   Registry registry;
-  add_classics(registry);
-  add_later(registry);
+  FiniteLines finite;
+  add_classics(registry, finite);
+  add_later(registry, finite);
   add_parametric(registry);
   add_forms(registry);
   add_families(registry);

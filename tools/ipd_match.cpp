@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <folk/games/criterion.h>
 #include <folk/games/error.h>
-#include <folk/games/nfg.h>
 
 #include <charconv>
 #include <functional>
@@ -40,14 +39,7 @@ MatchSettings settings_of(const po::variables_map& values) {
     throw UsageError(
         fmt::format("a match needs two strategies, not {}: try ipd-match tit_for_tat prober", players.size()));
   settings.players = {players[0], players[1]};
-  if (values.count("payoffs") != 0 && values.count("game") != 0)
-    throw UsageError("--payoffs and --game both say what is played: give one of them");
-  if (values.count("payoffs") != 0) settings.payoffs = parse_payoffs(text_option(values, "payoffs"));
-  if (values.count("game") != 0) {
-    const StageGame game = read_nfg_file(text_option(values, "game"));
-    settings.payoffs = symmetric_payoffs(game);
-    settings.game = game.title();
-  }
+  settings.game = chosen_game(values);
   settings.rounds = rounds_option(values);
   settings.noise = parse_number(text_option(values, "noise", "0"), "--noise", 0, 1);
   settings.seed = whole_option(values, "seed", 1, 0, std::numeric_limits<std::uint64_t>::max());
@@ -67,8 +59,7 @@ Program ipd_match() {
   add("player", po::value<std::vector<std::string>>(), "A, then B (also as the two arguments)");
   add("rounds", po::value<std::string>(), "how many rounds, 1 to 1000000 (default 30)");
   add("noise", po::value<std::string>(), "the probability that a move flips (default 0)");
-  add("payoffs", po::value<std::string>(), "a prisoner's dilemma (default T=5,R=3,P=1,S=0)");
-  add("game", po::value<std::string>(), "a symmetric 2x2 game from an .nfg file instead; its first action is C");
+  add_game_options(program.options);
   add("seed", po::value<std::string>(), "of all random numbers (default 1)");
   add("width", po::value<std::string>(), "columns of the text (default: the terminal's, else 80)");
   program.positional.add("player", 2);
@@ -79,9 +70,7 @@ int match(const po::variables_map& values, const Common& common) {
   const MatchSettings settings = settings_of(values);
   Sheet sheet = sheet_of_stdout();
   sheet.width = whole_option(values, "width", sheet.width, 20, 100'000);
-  if (!common.quiet)
-    if (const auto warning = dilemma_warning(settings.payoffs); warning && values.count("game") == 0)
-      std::cerr << "ipd-match: warning: " << *warning << "\n";
+  note_unusual_payoffs("ipd-match", settings.game, common);
   const MatchRecord record = [&] {
     Progress progress("playing", !common.quiet);
     return play_one(settings, std::ref(progress));

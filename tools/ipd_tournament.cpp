@@ -1,19 +1,24 @@
 // ipd-tournament: the round robin of a roster.
 
+#include "game_option.h"
 #include "program.h"
 #include "progress.h"
 #include "tournament_output.h"
 
 #include <fmt/format.h>
+#include <folk/analysis/plots.h>
 #include <folk/games/error.h>
-#include <folk/games/nfg.h>
 #include <folk/strategies/registry.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <iostream>
 #include <optional>
 #include <system_error>
 #include <thread>
+
+#include <unistd.h>
 
 namespace folk::tools {
 namespace {
@@ -39,8 +44,7 @@ Program program() {
   add("criterion", text(), "finite:T, discounted:d, mean or ending:p");
   add("end-probability", text(), "each round is the last with this probability; the same as --criterion ending:p");
   add("noise", text()->default_value("0"), "each move flips with this probability, from 0 to 1");
-  add("payoffs", text(), "a prisoner's dilemma (default T=5,R=3,P=1,S=0)");
-  add("game", text(), "a symmetric 2x2 game from a .nfg file, its first action taken as C");
+  add_game_options(program.options);
   add("no-self-play", "nobody meets its own copy");
   add("repetitions", text(), "matches of a pair that can only be sampled (default 100)");
   add("seed", text(), "of all random numbers (default 1)");
@@ -66,18 +70,6 @@ Criterion criterion_of(const po::variables_map& values) {
   return chosen.value_or(Criterion::finite(100));
 }
 
-/// The stage game and its title.
-std::pair<Payoffs, std::string> game_of(const po::variables_map& values) {
-  const bool from_file = values.count("game") != 0;
-  if (from_file && values.count("payoffs") != 0) throw UsageError("--game and --payoffs contradict: give one of them");
-  if (from_file) {
-    const auto game = read_nfg_file(text_option(values, "game"));
-    return {symmetric_payoffs(game), game.title()};
-  }
-  const Payoffs payoffs = values.count("payoffs") != 0 ? parse_payoffs(text_option(values, "payoffs")) : Payoffs{};
-  return {payoffs, "prisoner's dilemma"};
-}
-
 /// The roster less what is excluded; the included entrants follow it.
 struct Field {
   std::vector<Strategy> entrants;
@@ -89,7 +81,7 @@ Field field_of(const po::variables_map& values, const Payoffs& payoffs) {
   Field field{registry.roster(text_option(values, "strategies"), payoffs), 0};
   if (values.count("exclude") != 0)
     for (const auto& left_out : registry.roster(text_option(values, "exclude"), payoffs)) {
-      const auto same = [&](const Strategy& strategy) { return strategy.name == left_out.name; };
+      const auto same = [&](const Strategy& strategy) { return same_name(strategy.name, left_out.name); };
       if (std::erase_if(field.entrants, same) == 0)
         throw UsageError(fmt::format("--exclude {}: it is not in the roster", left_out.name));
     }
@@ -98,6 +90,7 @@ Field field_of(const po::variables_map& values, const Payoffs& payoffs) {
   if (values.count("include") != 0)
     for (auto& guest : registry.roster(text_option(values, "include"), payoffs))
       field.entrants.push_back(std::move(guest));
+  refuse_duplicates(field.entrants);
   return field;
 }
 
@@ -108,24 +101,28 @@ std::optional<std::filesystem::path> output_folder(const po::variables_map& valu
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (!std::filesystem::is_directory(folder))
-    throw EnvironmentError(fmt::format("--output {}: cannot be made: {}", folder.string(),
-                                       error ? error.message() : "a file has that name"));
+    throw EnvironmentError(fmt::format("--output '{}': no folder of that name can be made: {}", folder.string(),
+                                       error ? error.message() : "a file has it"));
+  if (::access(folder.c_str(), W_OK | X_OK) != 0)
+    throw EnvironmentError(fmt::format("--output '{}': cannot be written: {}", folder.string(), std::strerror(errno)));
   return folder;
 }
 
-std::optional<std::string> picture_extension(const po::variables_map& values) {
+/// svg, png or nothing, once it is clear that so many strategies can be drawn here.
+std::optional<std::string> picture_extension(const po::variables_map& values, std::size_t strategies) {
   if (values.count("plot") == 0) return std::nullopt;
   const auto extension = text_option(values, "plot");
   if (extension != "svg" && extension != "png")
     throw UsageError(fmt::format("--plot '{}': expected svg or png", extension));
   if (values.count("output") == 0) throw UsageError("--plot needs a folder for its pictures: give --output DIR");
+  require_plotter(strategies);
   return extension;
 }
 
 int tournament(const po::variables_map& values, const Common& common) {
-  const auto [payoffs, title] = game_of(values);
+  const ChosenGame game = chosen_game(values);
   TournamentSettings settings;
-  settings.payoffs = payoffs;
+  settings.payoffs = game.payoffs;
   settings.criterion = criterion_of(values);
   settings.noise = parse_number(text_option(values, "noise"), "--noise", 0, 1);
   settings.self_play = values.count("no-self-play") == 0;
@@ -133,18 +130,17 @@ int tournament(const po::variables_map& values, const Common& common) {
   settings.seed = whole_option(values, "seed", 1, 0, ~std::uint64_t{0});
   settings.threads =
       static_cast<unsigned>(whole_option(values, "threads", std::max(1U, std::thread::hardware_concurrency()), 1, 256));
-  const auto extension = picture_extension(values);
-  auto [entrants, core] = field_of(values, payoffs);
+  auto [entrants, core] = field_of(values, game.payoffs);
+  const auto extension = picture_extension(values, entrants.size());
   const auto folder = output_folder(values);
-  if (const auto warning = dilemma_warning(payoffs); warning && values.count("game") == 0 && !common.quiet)
-    fmt::print(stderr, "ipd-tournament: note: {}\n", *warning);
+  note_unusual_payoffs("ipd-tournament", game, common);
 
   std::optional<Progress> progress(std::in_place, fmt::format("playing {} strategies", entrants.size()), !common.quiet);
   settings.progress = [&](double fraction) { (*progress)(fraction); };
   const Tournament result(std::move(entrants), core, settings);
   progress.reset();
 
-  const TournamentLabels labels{text_option(values, "strategies"), text_option(values, "include"), title};
+  const TournamentLabels labels{text_option(values, "strategies"), text_option(values, "include"), game.title};
   if (folder) {
     write_files(*folder, result, labels);
     if (extension) draw_pictures(*folder, result, *extension);

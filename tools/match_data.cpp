@@ -55,7 +55,7 @@ std::string payoffs_of(const Payoffs& payoffs) {
 }  // namespace
 
 void write_csv(std::ostream& out, const MatchSettings& settings, const MatchRecord& record) {
-  const auto by_outcome = settings.payoffs.by_outcome();
+  const auto by_outcome = settings.game.payoffs.by_outcome();
   std::array<std::string, 4> texts;
   std::transform(by_outcome.begin(), by_outcome.end(), texts.begin(), number);
   out << "round,move1,move2,score1,score2\n";
@@ -79,8 +79,8 @@ void write_json(std::ostream& out, const MatchSettings& settings, const MatchRec
                                                     running_scores(settings, record, 1)};
   const auto at = [](const auto& pair, int seat) -> const auto& { return pair[static_cast<std::size_t>(seat)]; };
   put_both("players", [&](int seat) { return string_of(at(record.names, seat)); });
-  put("game", string_of(settings.game));
-  put("payoffs", payoffs_of(settings.payoffs));
+  put("game", string_of(settings.game.title));
+  put("payoffs", payoffs_of(settings.game.payoffs));
   put("rounds", std::to_string(settings.rounds));
   put("noise", fmt::format("{}", settings.noise));
   put("seed", std::to_string(settings.seed));

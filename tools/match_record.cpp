@@ -31,10 +31,11 @@ MatchRecord play_one(const MatchSettings& settings, const std::function<void(dou
   MatchRecord record;
   std::array<std::unique_ptr<Player>, 2> players;
   for (std::size_t seat = 0; seat < 2; ++seat) {
-    const Strategy strategy = registry.make(settings.players[seat], settings.payoffs);
+    const Strategy strategy = registry.make(settings.players[seat], settings.game.payoffs);
     record.names[seat] = strategy.name;
     players[seat] = strategy.new_player();
-    players[seat]->start({settings.payoffs, Criterion::finite(settings.rounds), RandomKey{settings.seed, 0, 0, seat}});
+    players[seat]->start(
+        {settings.game.payoffs, Criterion::finite(settings.rounds), RandomKey{settings.seed, 0, 0, seat}});
   }
   RandomStream noise(RandomKey{settings.seed, 0, 0, 2});
   std::size_t asked = 0;
@@ -54,7 +55,7 @@ MatchRecord play_one(const MatchSettings& settings, const std::function<void(dou
 }
 
 std::vector<Rational> running_scores(const MatchSettings& settings, const MatchRecord& record, int seat) {
-  const auto by_outcome = settings.payoffs.by_outcome();
+  const auto by_outcome = settings.game.payoffs.by_outcome();
   std::vector<Rational> scores;
   scores.reserve(record.transcript.rounds());
   Rational sum = 0;

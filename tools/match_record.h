@@ -1,7 +1,8 @@
 #pragma once
 // One match with everything that happened in it, and what follows from the moves.
 
-#include <folk/games/payoffs.h>
+#include "game_option.h"
+
 #include <folk/games/transcript.h>
 
 #include <array>
@@ -16,8 +17,7 @@ namespace folk::tools {
 /// What is played, with every default filled in.
 struct MatchSettings {
   std::array<std::string, 2> players;
-  std::string game = "prisoner's dilemma";
-  Payoffs payoffs;
+  ChosenGame game;
   std::uint64_t rounds = 30;
   double noise = 0;
   std::uint64_t seed = 1;

@@ -171,7 +171,7 @@ void write_text(std::ostream& out, const MatchSettings& settings, const MatchRec
   const std::array<std::vector<Rational>, 2> scores{running_scores(settings, record, 0),
                                                     running_scores(settings, record, 1)};
   out << record.names[0] << " against " << record.names[1] << "\n"
-      << fmt::format("{}, {}; {} rounds; noise {}; seed {}\n\n", settings.game, to_text(settings.payoffs),
+      << fmt::format("{}, {}; {} rounds; noise {}; seed {}\n\n", settings.game.title, to_text(settings.game.payoffs),
                      settings.rounds, settings.noise, settings.seed);
   const Page page = page_for(record, scores, sheet);
   for (std::size_t begin = 0; begin < settings.rounds; begin += page.moves)

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <exception>
 #include <iostream>
+#include <limits>
 #include <new>
 #include <sstream>
 
@@ -26,13 +27,46 @@ std::string help_text(const Program& program) {
   return text.str();
 }
 
-/// One line, whatever an exception says.
 int complain(const Program& program, std::string_view message, ExitCode code) {
-  std::string line(message);
-  std::replace(line.begin(), line.end(), '\n', ' ');
   std::cout.flush();
-  fmt::print(stderr, "{}: {}\n", program.name, line);
+  say(program.name, message);
   return code;
+}
+
+/// Takes the arguments that no positional option wants, so that a message can name them. Nobody types this name.
+constexpr const char* unexpected = "unexpected argument";
+
+/// "--output --plot": the parser takes the second for the value of the first, its user forgot the value.
+void refuse_options_as_values(const po::parsed_options& parsed, const po::options_description& options) {
+  for (const auto& option : parsed.options) {
+    const auto& tokens = option.original_tokens;
+    if (option.position_key >= 0 || tokens.size() < 2 || tokens[1].substr(0, 2) != "--") continue;
+    const std::string name = tokens[1].substr(2, tokens[1].find('=') - 2);
+    if (options.find_nothrow(name, false) != nullptr)
+      throw UsageError(
+          fmt::format("{} has no value: '{}' follows; write '{} VALUE'", tokens[0], excerpt(tokens[1]), tokens[0]));
+  }
+}
+
+po::variables_map parse(int argc, char** argv, const Program& program) {
+  po::options_description options = program.options;
+  options.add_options()(unexpected, po::value<std::vector<std::string>>(), "");
+  po::positional_options_description positional = program.positional;
+  if (positional.max_total_count() != std::numeric_limits<unsigned>::max()) positional.add(unexpected, -1);
+  const auto parsed = po::command_line_parser(argc, argv)
+                          .options(options)
+                          .positional(positional)
+                          .style(po::command_line_style::default_style & ~po::command_line_style::allow_guessing)
+                          .run();
+  refuse_options_as_values(parsed, options);
+  po::variables_map values;
+  po::store(parsed, values);
+  po::notify(values);
+  if (values.count(unexpected) != 0)
+    throw UsageError(fmt::format("unexpected argument '{}': usage: {} {}",
+                                 excerpt(values[unexpected].as<std::vector<std::string>>().front()), program.name,
+                                 program.usage));
+  return values;
 }
 
 Format format_named(const std::string& name) {
@@ -78,17 +112,10 @@ int run(int argc, char** argv, Program program, const std::vector<std::string>& 
     add("quiet", "no banner, no progress, no warnings on stderr");
     add("help", "this text");
     add("version", "version and build");
-    po::variables_map values;
-    po::store(po::command_line_parser(argc, argv)
-                  .options(program.options)
-                  .positional(program.positional)
-                  .style(po::command_line_style::default_style & ~po::command_line_style::allow_guessing)
-                  .run(),
-              values);
-    po::notify(values);
-    const int code = run_parsed(program, values, formats, body);
+    const int code = run_parsed(program, parse(argc, argv, program), formats, body);
     std::cout.flush();
-    if (!std::cout && errno != EPIPE) return complain(program, "standard output cannot be written", failed);
+    if (const int reason = errno; !std::cout && reason != EPIPE)
+      return complain(program, fmt::format("standard output cannot be written: {}", std::strerror(reason)), failed);
     return code;
   } catch (const po::error& error) {
     return complain(program, fmt::format("{}; see {} --help", error.what(), program.name), wrong_usage);
@@ -101,6 +128,13 @@ int run(int argc, char** argv, Program program, const std::vector<std::string>& 
   } catch (const std::exception& error) {
     return complain(program, error.what(), failed);
   }
+}
+
+void say(std::string_view program, std::string_view message) {
+  std::string line = fmt::format("{}: {}", program, message);
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  line += '\n';
+  std::fwrite(line.data(), 1, line.size(), stderr);  // a stderr that is closed or full stops nothing
 }
 
 std::string text_option(const po::variables_map& values, const char* name, std::string fallback) {

@@ -38,6 +38,9 @@ enum ExitCode { done = 0, claim_fails = 1, wrong_usage = 2, bad_input_file = 3, 
 int run(int argc, char** argv, Program program, const std::vector<std::string>& formats,
         const std::function<int(const po::variables_map&, const Common&)>& body);
 
+/// One line on stderr, the program's name first.
+void say(std::string_view program, std::string_view message);
+
 /// The text value of an option that may be given once, or `fallback`.
 std::string text_option(const po::variables_map& values, const char* name, std::string fallback = {});
 

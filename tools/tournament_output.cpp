@@ -9,6 +9,8 @@
 #include <folk/games/text_file.h>
 
 #include <algorithm>
+#include <array>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -20,8 +22,6 @@ namespace folk::tools {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double normal_95 = 1.959963984540054;  // half width of a 95 % interval in standard errors
 
 /// Whole numbers without an exponent, others as the shortest decimal that reads back.
 std::string exact(long double value) {
@@ -38,16 +38,32 @@ bool sampled(const Tournament& tournament) {
                      [](const auto& entry) { return entry.method == Method::sampled; });
 }
 
-/// "cycle", or "cycle and markov": every way in which a figure of this tournament was obtained.
+/// A JSON object: how many pairs (self-play among them) were obtained in which way.
 std::string methods_of(const Tournament& tournament) {
-  std::vector<std::string_view> names;
-  for (const Method method : {Method::cycle, Method::markov, Method::bounded, Method::sampled})
-    for (const auto& entry : tournament.ranking())
-      if (entry.method == method) {
-        names.push_back(to_string(method));
-        break;
-      }
-  return fmt::format("{}", fmt::join(names, ", "));
+  constexpr std::array methods{Method::cycle, Method::markov, Method::bounded, Method::sampled};
+  std::array<std::size_t, methods.size()> pairs{};
+  for (std::size_t i = 0; i < tournament.size(); ++i)
+    for (std::size_t j = 0; j <= i; ++j)
+      if (tournament.played(i, j)) ++pairs[static_cast<std::size_t>(tournament.method(i, j))];
+  std::vector<std::string> items;
+  for (const Method method : methods)
+    if (const std::size_t count = pairs[static_cast<std::size_t>(method)]; count > 0)
+      items.push_back(fmt::format("\"{}\": {}", to_string(method), count));
+  return fmt::format("{{{}}}", fmt::join(items, ", "));
+}
+
+std::string payoffs_of(const Payoffs& payoffs) {
+  const auto number = [](const Rational& payoff) { return fmt::format("{}", to_double(payoff)); };
+  return fmt::format("{{\"T\": {}, \"R\": {}, \"P\": {}, \"S\": {}}}", number(payoffs.temptation),
+                     number(payoffs.reward), number(payoffs.punishment), number(payoffs.sucker));
+}
+
+/// Half the width of the 95 % interval (Student's t) of a total that was sampled; one repetition tells nothing of it.
+std::optional<double> confidence(const Tournament& tournament, const RankingEntry& entry) {
+  const std::uint64_t repetitions = tournament.settings().repetitions;
+  if (entry.method != Method::sampled || repetitions < 2) return std::nullopt;
+  const boost::math::students_t distribution(static_cast<double>(repetitions - 1));
+  return boost::math::quantile(distribution, 0.975) * entry.error;
 }
 
 std::string settings_line(const Tournament& tournament, const TournamentLabels& labels) {
@@ -80,6 +96,8 @@ void write_json_matrix(std::ostream& out, const Tournament& tournament, const ch
 
 std::string json_number(const std::optional<double>& value) { return value ? fmt::format("{}", *value) : "null"; }
 
+std::string csv_number(const std::optional<double>& value) { return value ? fmt::format("{}", *value) : ""; }
+
 void write_json_ranking(std::ostream& out, const Tournament& tournament) {
   out << "  \"ranking\": [";
   const char* separator = "\n";
@@ -89,8 +107,21 @@ void write_json_ranking(std::ostream& out, const Tournament& tournament) {
         "\"cooperation_rate\": {}, \"normalised\": {}, \"method\": \"{}\", \"confidence_95\": {}}}",
         separator, entry.rank, json_string(tournament.name(entry.entrant)), exact(entry.total), entry.mean,
         entry.median, entry.wins, entry.cooperation_rate, json_number(entry.normalised), to_string(entry.method),
-        entry.method == Method::sampled ? fmt::format("{}", normal_95 * entry.error) : "null");
+        json_number(confidence(tournament, entry)));
     separator = ",\n";
+  }
+  out << "\n  ]";
+}
+
+/// How each figure was obtained, a string a row and a letter a cell: c(ycle), m(arkov), b(ounded), s(ampled), - not
+/// played.
+void write_json_methods(std::ostream& out, const Tournament& tournament) {
+  out << ",\n  \"method_rows\": [";
+  for (std::size_t i = 0; i < tournament.size(); ++i) {
+    std::string row;
+    for (std::size_t j = 0; j < tournament.size(); ++j)
+      row += tournament.played(i, j) ? to_string(tournament.method(i, j)).front() : '-';
+    out << (i == 0 ? "\n    \"" : ",\n    \"") << row << '"';
   }
   out << "\n  ]";
 }
@@ -129,8 +160,10 @@ void write_text(std::ostream& out, const Tournament& tournament, const Tournamen
     const bool whole = entry.total == std::floor(entry.total);
     std::vector<std::string> row{fmt::format("{}", entry.rank), tournament.name(entry.entrant),
                                  whole ? exact(entry.total) : fmt::format("{:.4f}", static_cast<double>(entry.total))};
-    if (with_error)
-      row.push_back(entry.method == Method::sampled ? fmt::format("±{:.4g}", normal_95 * entry.error) : "");
+    if (with_error) {
+      const auto half = confidence(tournament, entry);
+      row.push_back(half ? fmt::format("±{:.4g}", *half) : "");
+    }
     row.push_back(fmt::format("{:.4f}", entry.mean));
     row.push_back(fmt::format("{:.4f}", entry.median));
     row.push_back(fmt::format("{}", entry.wins));
@@ -152,20 +185,19 @@ void write_ranking_csv(std::ostream& out, const Tournament& tournament) {
   for (const auto& entry : tournament.ranking())
     fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{}\n", entry.rank,
                    csv_field(tournament.name(entry.entrant)), exact(entry.total), entry.mean, entry.median, entry.wins,
-                   entry.cooperation_rate, entry.normalised ? fmt::format("{}", *entry.normalised) : "",
-                   to_string(entry.method),
-                   entry.method == Method::sampled ? fmt::format("{}", normal_95 * entry.error) : "");
+                   entry.cooperation_rate, csv_number(entry.normalised), to_string(entry.method),
+                   csv_number(confidence(tournament, entry)));
   out.write(rows.data(), static_cast<std::streamsize>(rows.size()));
 }
 
 void write_json(std::ostream& out, const Tournament& tournament, const TournamentLabels& labels, bool with_matrices) {
   const auto& settings = tournament.settings();
   out << fmt::format("{{\n  \"game\": {},\n  \"payoffs\": {},\n  \"criterion\": \"{}\",\n  \"rounds\": {},\n",
-                     json_string(labels.game), json_string(to_text(settings.payoffs)), settings.criterion.to_string(),
+                     json_string(labels.game), payoffs_of(settings.payoffs), settings.criterion.to_string(),
                      settings.criterion.is_finite() ? fmt::format("{}", settings.criterion.rounds()) : "null");
   out << fmt::format("  \"noise\": {},\n  \"self_play\": {},\n  \"repetitions\": {},\n  \"seed\": {},\n",
                      settings.noise, settings.self_play, settings.repetitions, settings.seed);
-  out << fmt::format("  \"roster\": {},\n  \"included\": {},\n  \"behaviours\": {},\n  \"methods\": \"{}\",\n",
+  out << fmt::format("  \"roster\": {},\n  \"included\": {},\n  \"behaviours\": {},\n  \"methods\": {},\n",
                      json_string(labels.roster), json_string(labels.included), tournament.behaviours(),
                      methods_of(tournament));
   out << fmt::format("  \"signature\": \"{:016x}\",\n  \"strategies\": [", tournament.signature());
@@ -173,6 +205,7 @@ void write_json(std::ostream& out, const Tournament& tournament, const Tournamen
   out << "],\n";
   write_json_ranking(out, tournament);
   if (with_matrices) {
+    write_json_methods(out, tournament);
     write_json_matrix(out, tournament, "scores", [&](std::size_t i, std::size_t j) {
       return exact(static_cast<long double>(tournament.score(i, j)));
     });

@@ -66,6 +66,17 @@ TEST(DeterministicPlay, SkipsThePunishmentsOfGradual) {
   }
 }
 
+TEST(DeterministicPlay, FindsLongCyclesInNoMemory) {
+  std::string long_word(1999, 'c');
+  long_word += 'd';
+  const auto registry = Registry::standard();
+  const auto a = registry.make("per_" + long_word);
+  const auto b = registry.make("per_" + long_word.substr(1));
+  const auto sum = play_deterministic(*a.machine, *b.machine, Criterion::finite(2000 * 1999 * 1000ULL));
+  EXPECT_EQ(sum.weights[3], 1000);  // both defect once in 2000 x 1999 rounds
+  EXPECT_EQ(play_deterministic(*a.machine, *b.machine, Criterion::mean()).method, Method::cycle);
+}
+
 TEST(DeterministicPlay, RefusesWhatNeitherClosesNorEnds) {
   const auto registry = Registry::standard();
   const auto gradual = registry.make("gradual");

@@ -122,11 +122,27 @@ TEST(MarkovPlay, SeesTheTwoAbsorbingEndsOfAMixedStart) {
   EXPECT_NEAR(limit->weights[3], 0.7, 1e-12);
 }
 
+TEST(MarkovPlay, SolvesLargeChainsAsWellRoundByRoundAsAtOnce) {
+  RandomStream random({6, 0, 0, 0});
+  const Automaton a = testing::random_automaton(random, 40, false);
+  const Automaton b = testing::random_automaton(random, 40, false);
+  for (const auto& criterion : {Criterion::discounted(0.95), Criterion::ending(0.02)}) {
+    const auto stepped =
+        play_markov(a, b, 0.01, criterion, {.joint_states = 100'000, .solved_states = 0, .work = 100'000'000});
+    const auto solved =
+        play_markov(a, b, 0.01, criterion, {.joint_states = 100'000, .solved_states = 100'000, .work = 0});
+    for (std::size_t o = 0; o < 4; ++o)
+      EXPECT_NEAR(stepped->weights[o], solved->weights[o], 1e-12 * criterion.total_weight());
+  }
+}
+
 TEST(MarkovPlay, RefusesWhatCostsTooMuch) {
   RandomStream random({5, 0, 0, 0});
   const Automaton a = testing::random_automaton(random, 50, false);
-  EXPECT_FALSE(play_markov(a, a, 0.1, Criterion::finite(10), {.joint_states = 3, .work = 1'000'000}));
-  EXPECT_FALSE(play_markov(a, a, 0.1, Criterion::finite(1'000'000'000), {.joint_states = 5000, .work = 1000}));
+  EXPECT_FALSE(
+      play_markov(a, a, 0.1, Criterion::finite(10), {.joint_states = 3, .solved_states = 1000, .work = 1'000'000}));
+  EXPECT_FALSE(play_markov(a, a, 0.1, Criterion::finite(1'000'000'000),
+                           {.joint_states = 5000, .solved_states = 1000, .work = 1000}));
 }
 
 TEST(ZeroDeterminant, EnforcesItsLinearRelation) {

@@ -67,6 +67,41 @@ TEST_F(Render, AFailureIsOneLine) {
             "sh failed (signal 9): it said nothing");
 }
 
+/// A folder of stand-ins in front of PATH for a while.
+class FirstOnPath {
+public:
+  explicit FirstOnPath(const fs::path& folder)
+      : path_(std::getenv("PATH")) {
+    ::setenv("PATH", (folder.string() + ":" + path_).c_str(), 1);
+  }
+  ~FirstOnPath() { ::setenv("PATH", path_.c_str(), 1); }
+  FirstOnPath(const FirstOnPath&) = delete;
+  FirstOnPath& operator=(const FirstOnPath&) = delete;
+
+private:
+  std::string path_;
+};
+
+TEST_F(Render, AFailureShowsTheLineThatSaysWhy) {
+  const FirstOnPath here(folder_);
+  const auto failing = [&](const std::string& program, const std::string& says) {
+    write_file(folder_ / program, "#!/bin/sh\ncat >&2 <<'END'\n" + says + "END\nexit 1\n");
+    fs::permissions(folder_ / program, fs::perms::owner_all);
+    return message_of<EnvironmentError>([&] { run_renderer({program}, "", "package"); });
+  };
+  // The first two are what gnuplot 5.4 and Graphviz 2.43 wrote.
+  EXPECT_EQ(failing("gnuplot", "\ngnuplot> foo bar\n         ^\n         line 0: invalid command\n\n"),
+            "gnuplot failed (exit code 1): line 0: invalid command");
+  EXPECT_EQ(failing("dot",
+                    "Warning: using box for unknown shape xx\nWarning: node c, port q unrecognized\n"
+                    "Error: Could not open \"none/x\" for writing : No such file or directory\n"
+                    "Error: <stdin>: syntax error in line 1 near '}'\n"),
+            "dot failed (exit code 1): Error: Could not open \"none/x\" for writing : No such file or directory");
+  EXPECT_EQ(failing("dot", "There is no layout engine support for \"dot\"\nPerhaps ...\n"),
+            "dot failed (exit code 1): There is no layout engine support for \"dot\"");
+  EXPECT_EQ(failing("dot", std::string(5000, 'x') + "\n"), "dot failed (exit code 1): " + std::string(400, 'x'));
+}
+
 TEST_F(Render, AFailedDrawingLeavesTheOldFileAndNothingElse) {
   const fs::path path = folder_ / "picture.svg";
   write_file(path, "old");

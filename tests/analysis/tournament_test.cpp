@@ -4,6 +4,7 @@
 
 #include <folk/analysis/tournament.h>
 #include <folk/games/error.h>
+#include <folk/strategies/automaton.h>
 #include <folk/strategies/registry.h>
 #include <gtest/gtest.h>
 
@@ -148,6 +149,79 @@ TEST(Tournament, NamesThePairThatCannotBePlayed) {
   }
 }
 
+TEST(Tournament, RanksExactTotalsExactlyHoweverLarge) {
+  const auto tournament = play("all_d,tit_for_tat,mistrust,spiteful", over(10'000'000'000'000));
+  const auto& ranking = tournament.ranking();
+  for (std::size_t i = 1; i < ranking.size(); ++i) {
+    EXPECT_GE(ranking[i - 1].total, ranking[i].total);
+    EXPECT_EQ(ranking[i - 1].total == ranking[i].total, ranking[i - 1].rank == ranking[i].rank);
+  }
+  // all_d scores 4 more than tit_for_tat and 5 more than spiteful in 10^13 rounds: two wins.
+  for (const auto& entry : ranking) EXPECT_EQ(entry.wins, entry.entrant == 0 ? 2U : entry.wins);
+}
+
+TEST(Tournament, TotalsThatCancelAreEqual) {
+  auto settings = over(7);
+  settings.payoffs = parse_payoffs("T=0.3,R=0.1,P=-0.1,S=-0.3");
+  const auto tournament =
+      play("random(0.5),mem1(0.5;0.3,0.7,0.7,0.3),mem1(0.5;0.4,0.6,0.6,0.4),mem1(0.5;0.3,0.7,0.3,0.7),all_c,all_d",
+           settings);
+  std::size_t ties = 0;
+  for (std::size_t i = 1; i < tournament.size(); ++i)
+    ties += tournament.ranking()[i].rank == tournament.ranking()[i - 1].rank ? 1 : 0;
+  EXPECT_GE(ties, 1U);
+}
+
+TEST(Tournament, AddsTheErrorsOfOpponentsThatShareASample) {
+  const auto machine = Registry::standard().make("random(0.5)").machine;
+  const Strategy opaque{"opaque", nullptr, [machine] { return folk::play(machine); }};
+  const auto error_against = [&](const std::string& opponents) {
+    auto roster = Registry::standard().roster(opponents);
+    roster.insert(roster.begin(), opaque);
+    TournamentSettings settings;
+    settings.self_play = false;
+    const Tournament tournament(roster, settings);
+    for (const auto& entry : tournament.ranking())
+      if (entry.entrant == 0) return entry.error;
+    return 0.0;
+  };
+  EXPECT_NEAR(error_against("random(0.5),mem1(0.5;0.5,0.5,0.5,0.5)"), 2 * error_against("random(0.5)"), 1e-9);
+}
+
+TEST(Tournament, TakesNoNoticeOfAMixingStateOutOfReach) {
+  const Automaton table({{1, {0, 1, 0, 1}}, {0, {0, 1, 0, 1}}, {0.5, {2, 2, 2, 2}}}, 0);
+  std::vector<Strategy> roster{{"tft_and_more", std::make_shared<Automaton>(table), nullptr},
+                               Registry::standard().make("soft_majo")};
+  const Tournament tournament(roster, over(1'000'000'000'000));
+  EXPECT_EQ(tournament.method(0, 1), Method::cycle);
+  EXPECT_EQ(tournament.score(0, 1), 3e12);
+}
+
+TEST(Tournament, StaysExactNextToCertainty) {
+  TournamentSettings settings;
+  for (const double p : {1e-6, 1e-9, 1e-12, 1e-15}) {
+    settings.criterion = Criterion::ending(p);
+    EXPECT_NEAR(play("all_c", settings).ranking()[0].mean, 3, 1e-12) << p;
+    EXPECT_NEAR(play("per_ccd", settings).ranking()[0].mean, 7.0 / 3, 1e-5) << p;
+    EXPECT_NEAR(play("random(0.5)", settings).ranking()[0].mean, 2.25, 1e-12) << p;
+  }
+  settings.criterion = Criterion::mean();
+  for (const double noise : {1e-3, 1e-9, 1e-14, 1e-17}) {
+    settings.noise = noise;
+    EXPECT_NEAR(play("tit_for_tat", settings).score(0, 0), 2.25, 1e-12) << noise;
+  }
+}
+
+TEST(Tournament, CallsACutSumBounded) {
+  TournamentSettings settings;
+  settings.criterion = Criterion::discounted(0.9999999999);
+  const auto tournament = play("gradual,all_d", settings);
+  EXPECT_EQ(tournament.method(0, 1), Method::bounded);
+  EXPECT_NEAR(tournament.score(1, 0), 1, 1e-4);  // all_d against gradual: D against D almost always
+}
+
+TEST(Tournament, RefusesMoreBehavioursThanFit) { EXPECT_THROW(play("proba(9)"), UsageError); }
+
 TEST(Tournament, SaysHowEachFigureWasObtained) {
   TournamentSettings settings = over(50);
   settings.repetitions = 20;
@@ -157,7 +231,9 @@ TEST(Tournament, SaysHowEachFigureWasObtained) {
   EXPECT_EQ(tournament.method(1, 3), Method::markov);
   // gradual is infinite, but not within 50 rounds.
   EXPECT_EQ(tournament.method(2, 3), Method::markov);
+  // Nor within those that a discount factor of 0.9 leaves any weight, but then gradual has too many states.
   settings.criterion = Criterion::discounted(0.9);
+  EXPECT_EQ(play("soft_majo,random(0.5)", settings).method(0, 1), Method::markov);
   EXPECT_EQ(play("gradual,random(0.5)", settings).method(0, 1), Method::sampled);
   settings.criterion = Criterion::mean();
   EXPECT_EQ(play("gradual,all_d", settings).method(0, 1), Method::bounded);
@@ -180,6 +256,21 @@ TEST(Tournament, UnrolledMachinesAgreeWithSampling) {
       const Tournament sampled(pair, 2, settings);
       EXPECT_EQ(sampled.method(0, 1), Method::sampled);
       EXPECT_NEAR(sampled.score(0, 1), exact.score(i, j), 4 * sampled.standard_error(0, 1));
+    }
+}
+
+TEST(Tournament, DiscountedMajoritiesAgreeWithTheirClosedForm) {
+  // soft_majo and all_d without noise are a cycle; a trace of noise must change them by a trace.
+  TournamentSettings settings;
+  settings.criterion = Criterion::discounted(0.9);
+  const auto pure = play("soft_majo,all_d,per_ccd", settings);
+  settings.noise = 1e-9;
+  const auto noisy = play("soft_majo,all_d,per_ccd", settings);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (i + j == 0) continue;  // two majorities have too many joint states
+      EXPECT_EQ(noisy.method(i, j), Method::markov);
+      EXPECT_NEAR(noisy.score(i, j), pure.score(i, j), 1e-6);
     }
 }
 

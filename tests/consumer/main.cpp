@@ -6,10 +6,9 @@
 #include <cstdio>
 
 int main() {
-  const std::vector<folk::Strategy> roster = folk::Registry::standard().roster("tit_for_tat,all_d,pavlov");
   folk::TournamentSettings settings;
   settings.criterion = folk::Criterion::finite(10);
-  const folk::Tournament tournament(roster, roster.size(), settings);
+  const folk::Tournament tournament(folk::Registry::standard().roster("tit_for_tat,all_d,pavlov"), settings);
 
   for (const folk::RankingEntry& entry : tournament.ranking()) {
     std::printf("%zu. %-12s %3.0Lf\n", entry.rank, tournament.name(entry.entrant).c_str(), entry.total);

@@ -1,5 +1,6 @@
 # cmake -DMODE=installed|tree -DFOLK_BUILD=DIR -DWORK=DIR -DGENERATOR= -DCOMPILER= -DFLAGS= -P run.cmake
-# Builds the consumer in WORK against an installed copy of FOLK_BUILD, or with Folk's tree as a part of it, and runs it.
+# installed: builds the consumer in WORK against an installed copy of FOLK_BUILD and runs it.
+# tree: compiles it in WORK with Folk's tree as a part of its build.
 # FLAGS are those of FOLK_BUILD: what is built for a sanitizer links with nothing else.
 
 function(step)
@@ -7,11 +8,10 @@ function(step)
 endfunction()
 
 get_filename_component(tree ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
-set(options -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_BUILD_TYPE=Debug
-            -DCMAKE_CXX_FLAGS_DEBUG=-O0)
+set(options -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_BUILD_TYPE=Debug)
 
+file(REMOVE_RECURSE ${WORK})
 if(MODE STREQUAL "installed")
-  file(REMOVE_RECURSE ${WORK})
   step(${CMAKE_COMMAND} --install ${FOLK_BUILD} --prefix ${WORK}/prefix)
   list(APPEND options -DCMAKE_PREFIX_PATH=${WORK}/prefix)
 else()
@@ -19,4 +19,6 @@ else()
 endif()
 step(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build ${options})
 step(${CMAKE_COMMAND} --build ${WORK}/build --target consumer)
-step(${WORK}/build/consumer)
+if(MODE STREQUAL "installed")
+  step(${WORK}/build/consumer)
+endif()

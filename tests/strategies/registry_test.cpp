@@ -69,6 +69,7 @@ TEST(Registry, RefusesWhatMakesNoStrategy) {
                            "random(2)",
                            "random(nan)",
                            "random(0.5",
+                           "random(,0.5,)",
                            "pavlov(1)",
                            "mem12_cc",
                            "mem99_c",
@@ -100,6 +101,31 @@ TEST(Registry, RefusesWhatMakesNoStrategy) {
 
 TEST(Registry, NamesTheStrategyGivenTwice) {
   EXPECT_NE(refusal("classics,tft").find("tit_for_tat"), std::string::npos);
+}
+
+TEST(Registry, UnquotesCommandsAndPaths) {
+  EXPECT_EQ(names(R"(exec:"p \"a b\" \\ c")"), std::vector<std::string>{R"(exec:"p \"a b\" \\ c")"});
+  EXPECT_EQ(names("exec:p"), std::vector<std::string>{R"(exec:"p")"});
+  EXPECT_NE(refusal("@\"no,where.machines\"").find("no,where.machines: no such file"), std::string::npos);
+  EXPECT_NE(refusal("@").find("needs the name of a file"), std::string::npos);
+}
+
+TEST(Registry, ComparesNamesAsItMatchesThem) {
+  EXPECT_TRUE(same_name("Tit-For-Tat", "tit_for_tat"));
+  EXPECT_FALSE(same_name("exec:\"a_b\"", "exec:\"ab\""));
+}
+
+TEST(Registry, RefusesToGiveANameTwice) {
+  auto registry = Registry::standard();
+  EXPECT_THROW(registry.add({"PAV-LOV", {}, "another", "nobody"}, nullptr), std::logic_error);
+}
+
+TEST(Registry, DescribesRostersAndFamilies) {
+  const auto registry = Registry::standard();
+  EXPECT_EQ(registry.describe("Classics").name, "classics");
+  EXPECT_EQ(registry.describe("memory(1,2)").name, "memory(X,Y)");
+  EXPECT_EQ(registry.describe("gtft(0.3)").name, "gtft(q)");
+  EXPECT_THROW(registry.describe("nobody"), UsageError);
 }
 
 TEST(Registry, MakesOneStrategyOnly) {

@@ -1,0 +1,28 @@
+#pragma once
+// Ownership of an open file of the operating system.
+
+namespace folk {
+
+/// An open file descriptor that closes itself.
+class FileDescriptor {
+public:
+  FileDescriptor() = default;
+  explicit FileDescriptor(int number)
+      : number_(number) {}
+  FileDescriptor(FileDescriptor&& other) noexcept;
+  FileDescriptor& operator=(FileDescriptor&& other) noexcept;
+  ~FileDescriptor() { close(); }
+
+  /// -1 when nothing is held.
+  int get() const { return number_; }
+  void close();
+
+private:
+  int number_ = -1;
+};
+
+/// A second descriptor of the same open file, close-on-exec and above 0, 1 and 2, which are free for ordinary files
+/// when the host closed them. Holds nothing, with the reason in errno, when the process may open no more.
+FileDescriptor duplicate_above_standard(int number);
+
+}  // namespace folk
