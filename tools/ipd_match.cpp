@@ -56,12 +56,12 @@ Program ipd_match() {
   program.examples = {"ipd-match tit_for_tat prober", "ipd-match gradual \"random(0.5)\" --rounds 100 --seed 7",
                       "ipd-match pavlov pavlov --noise 0.05", "ipd-match spiteful mistrust --format json"};
   auto add = program.options.add_options();
-  add("player", po::value<std::vector<std::string>>(), "A, then B (also as the two arguments)");
   add("rounds", po::value<std::string>(), "how many rounds, 1 to 1000000 (default 30)");
   add("noise", po::value<std::string>(), "the probability that a move flips (default 0)");
   add_game_options(program.options);
   add("seed", po::value<std::string>(), "of all random numbers (default 1)");
   add("width", po::value<std::string>(), "columns of the text (default: the terminal's, else 80)");
+  program.arguments.add_options()("player", po::value<std::vector<std::string>>());
   program.positional.add("player", 2);
   return program;
 }

@@ -150,12 +150,17 @@ void print_known(const Entry& entry, const std::string& family, const Shown& mac
   };
   const Description& description = entry.description;
   std::cout << description.name << "\n";
-  if (family != description.name) line("described as", family);
+  const bool from_file = family.starts_with('@');
+  if (family != description.name && !from_file) line("described as", family);
   line("also known as", fmt::format("{}", fmt::join(description.aliases, ", ")));
-  line("behaviour", description.behaviour);
-  line("reference", description.reference);
+  // Of a machine in a file the registry knows only what files are.
+  if (!from_file) {
+    line("behaviour", description.behaviour);
+    line("reference", description.reference);
+  }
   if (const auto& facts = entry.facts) {
-    line("memory", facts->memory == Memory{Memory::Kind::rounds, 1} ? "last round"
+    line("memory", facts->memory == Memory{Memory::Kind::rounds, 0}   ? "none"
+                   : facts->memory == Memory{Memory::Kind::rounds, 1} ? "last round"
                    : facts->memory.kind == Memory::Kind::rounds ? fmt::format("last {} rounds", facts->memory.rounds)
                                                                 : to_string(facts->memory));
     line("states", facts->finite
@@ -229,10 +234,10 @@ Program ipd_strategies() {
   program.examples = {"ipd-strategies list", "ipd-strategies show pavlov", "ipd-strategies diff spiteful mem11_cCDDD",
                       "ipd-strategies diff spiteful mem11_cCDDD --any-own-moves"};
   auto add = program.options.add_options();
-  add("command", po::value<std::vector<std::string>>(), "list, show NAME or diff A B (also as first arguments)");
   add("any-own-moves", "diff: own moves may differ from the machine's own, as noise and deviations make them");
   add("most-pairs", po::value<std::string>(), "diff: joint states after which to stop (default 1000000)");
   add("payoffs", po::value<std::string>(), "T=5,R=3,P=1,S=0 (default): some strategies depend on them");
+  program.arguments.add_options()("command", po::value<std::vector<std::string>>());
   program.positional.add("command", -1);
   return program;
 }

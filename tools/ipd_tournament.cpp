@@ -32,7 +32,7 @@ Program program() {
       "and prints the ranking. SPEC is a comma list of names, rosters (classics, sct2025, all), families\n"
       "(memory(1,2)), genotypes (mem12_ccCDCDDCDD), @FILE and exec:\"CMD\"; 'ipd-strategies list' shows all.";
   program.examples = {"ipd-tournament", "ipd-tournament --strategies pavlov,tit_for_tat,all_d --rounds 1000",
-                      "ipd-tournament --include @my.machines --noise 0.01 --output results --plot",
+                      "ipd-tournament --include @examples/my_strategies.machines --noise 0.01 --output results --plot",
                       "ipd-tournament --strategies 'memory(1,2)' --rounds 1000 --format csv",
                       "ipd-tournament --criterion discounted:0.9 --payoffs T=4,R=3,P=1,S=0 --format json"};
   auto add = program.options.add_options();
@@ -41,7 +41,7 @@ Program program() {
   add("include", text(), "SPEC of entrants beside the roster; payoffs are normalised by the roster alone");
   add("exclude", text(), "SPEC of strategies to leave out");
   add("rounds", text(), "rounds of a match (default 100); the same as --criterion finite:N");
-  add("criterion", text(), "finite:T, discounted:d, mean or ending:p");
+  add("criterion", text(), "finite:T (sum), discounted:d (normalised by 1-d), mean, ending:p (expected sum)");
   add("end-probability", text(), "each round is the last with this probability; the same as --criterion ending:p");
   add("noise", text()->default_value("0"), "each move flips with this probability, from 0 to 1");
   add_game_options(program.options);

@@ -23,7 +23,7 @@ std::string help_text(const Program& program) {
   text << "Usage: " << program.name << " " << program.usage << "\n\n" << program.summary << "\n\n" << program.options;
   text << "\nExamples:\n";
   for (const auto& example : program.examples) text << "  " << example << "\n";
-  text << "\nExit codes: 0 done, 1 a claim does not hold, 2 wrong usage, 3 bad input file, 4 anything else.\n";
+  text << "\nExit codes: 0 done, 2 wrong usage, 3 bad input file, 4 anything else.\n";
   return text.str();
 }
 
@@ -50,7 +50,7 @@ void refuse_options_as_values(const po::parsed_options& parsed, const po::option
 
 po::variables_map parse(int argc, char** argv, const Program& program) {
   po::options_description options = program.options;
-  options.add_options()(unexpected, po::value<std::vector<std::string>>(), "");
+  options.add(program.arguments).add_options()(unexpected, po::value<std::vector<std::string>>(), "");
   po::positional_options_description positional = program.positional;
   if (positional.max_total_count() != std::numeric_limits<unsigned>::max()) positional.add(unexpected, -1);
   const auto parsed = po::command_line_parser(argc, argv)

@@ -18,6 +18,7 @@ struct Program {
   std::string summary;                ///< what it does, a sentence or two
   std::vector<std::string> examples;  ///< whole command lines
   po::options_description options{"Options"};
+  po::options_description arguments{};  ///< what the positional names below stand for; not in the help text
   po::positional_options_description positional{};
 };
 
@@ -30,7 +31,8 @@ struct Common {
   bool quiet = false;
 };
 
-/// Exit codes: done; a claim that was to be checked does not hold; wrong usage; bad input file; anything else.
+/// Exit codes: done; a claim that was to be checked does not hold (for programs that check one); wrong usage; bad input
+/// file; anything else.
 enum ExitCode { done = 0, claim_fails = 1, wrong_usage = 2, bad_input_file = 3, failed = 4 };
 
 /// Parses the command line, answers --help and --version, runs `body`, and turns whatever it throws into one line on

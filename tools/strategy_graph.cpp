@@ -82,13 +82,13 @@ Program strategy_graph() {
       "@FILE or @FILE#MACHINE. Without -o the drawing is printed as DOT.";
   program.examples = {"strategy-graph pavlov -o pavlov.svg", "strategy-graph spiteful --any-own-moves -o spiteful.pdf",
                       "strategy-graph gradual --horizon 6 -o gradual.png",
-                      "strategy-graph @my.txt#my_grim | dot -Tx11"};
+                      "strategy-graph '@examples/my_strategies.machines#slow_pavlov' -o slow_pavlov.svg"};
   auto add = program.options.add_options();
-  add("name", po::value<std::string>(), "the strategy (also as the first argument)");
   add("output,o", po::value<std::string>(), "file to write: .svg, .png, .pdf (these need Graphviz) or .dot");
   add("any-own-moves", "own moves may differ from the machine's own, as noise and deviations make them");
   add("horizon", po::value<std::string>(), "draw the first N rounds (1 to 100); for machines without end");
   add("payoffs", po::value<std::string>(), "T=5,R=3,P=1,S=0 (default): some strategies depend on them");
+  program.arguments.add_options()("name", po::value<std::string>());
   program.positional.add("name", 1);
   return program;
 }

@@ -36,7 +36,7 @@ std::string answers(Player& player, const std::string& theirs) {
 TEST(Transcripts, EveryOneIsAnsweredAsPublished) {
   const Registry registry = Registry::standard();
   auto rows = testing::read_csv("transcripts.csv");
-  ASSERT_EQ(rows.size(), 126U);
+  ASSERT_GE(rows.size(), 126U);
   for (std::size_t i = 1; i < rows.size(); ++i) {
     const Strategy strategy = registry.make(rows[i][0]);
     ASSERT_TRUE(strategy.machine) << rows[i][0];
