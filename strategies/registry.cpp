@@ -18,6 +18,9 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
+/// What two names of strategies must share to be the same: a command letter by letter, any other name as it is matched.
+std::string identity(std::string_view name) { return name.starts_with("exec:") ? std::string(name) : name_key(name); }
+
 /// How many letters must be inserted, dropped or changed (Levenshtein).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
@@ -87,16 +90,12 @@ std::vector<std::string> split_list(std::string_view text) {
   return parts;
 }
 
-bool same_name(std::string_view a, std::string_view b) {
-  constexpr std::string_view command = "exec:";
-  if (a.starts_with(command) || b.starts_with(command)) return a == b;
-  return name_key(a) == name_key(b);
-}
+bool same_name(std::string_view a, std::string_view b) { return identity(a) == identity(b); }
 
 void refuse_duplicates(const std::vector<Strategy>& roster) {
   std::set<std::string> seen;
   for (const auto& strategy : roster)
-    if (!seen.insert(strategy.name.starts_with("exec:") ? strategy.name : name_key(strategy.name)).second)
+    if (!seen.insert(identity(strategy.name)).second)
       throw UsageError(fmt::format("strategy '{}' is given twice: name it once (other names of it count too)",
                                    excerpt(strategy.name, 100)));
 }
