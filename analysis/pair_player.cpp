@@ -1,4 +1,5 @@
 #include <folk/analysis/deterministic_play.h>
+#include <folk/analysis/group_play.h>
 #include <folk/analysis/markov_play.h>
 #include <folk/analysis/pair_player.h>
 #include <folk/games/error.h>
@@ -32,6 +33,11 @@ double rounds_that_count(const Criterion& criterion) {
   return criterion.continuation() > 0 ? std::ceil(std::log(1e-17) / std::log(criterion.continuation())) : 1;
 }
 
+UsageError with_names(const UsageError& error, const Strategy& first, const Strategy& second) {
+  return UsageError(fmt::format("{} against {}: {}; leave one of them out or play fewer rounds", first.name,
+                                second.name, error.what()));
+}
+
 }  // namespace
 
 PairPlayer::PairPlayer(const std::vector<Strategy>& roster, const Sampling& sampling, unsigned workers)
@@ -60,7 +66,11 @@ PairPlayer::PairPlayer(const std::vector<Strategy>& roster, const Sampling& samp
 
 PairPlayer::Prepared PairPlayer::prepare(const Strategy& strategy) const {
   Prepared prepared;
-  if (!strategy.machine) return prepared;
+  if (!strategy.machine) {
+    prepared.deterministic = strategy.deterministic;
+    prepared.thinks_together = strategy.thinks_together;
+    return prepared;
+  }
   prepared.deterministic = strategy.machine->deterministic();
   if (!strategy.machine->finite()) return prepared;
   if (const auto table = tabulate(*strategy.machine, sense_, largest_table)) {
@@ -87,31 +97,52 @@ PairResult PairPlayer::play(std::size_t a, std::size_t b, unsigned worker) {
   try {
     return play_best(a, b, worker);
   } catch (const UsageError& error) {
-    throw UsageError(fmt::format("{} against {}: {}; leave one of them out or play fewer rounds",
-                                 roster_[behaviours_[a]].name, roster_[behaviours_[b]].name, error.what()));
+    throw with_names(error, strategy(a), strategy(b));
   }
 }
 
+std::vector<PairResult> PairPlayer::play_together(const std::vector<std::pair<std::size_t, std::size_t>>& pairs,
+                                                  const std::function<void(double)>& progress) const {
+  std::vector<Contest> contests;
+  for (const auto& [a, b] : pairs) {
+    contests.push_back(contest(a, b));
+    try {
+      check_length(contests.back(), sampling_);
+    } catch (const UsageError& error) {
+      throw with_names(error, strategy(a), strategy(b));
+    }
+  }
+  return play_group(contests, sampling_, progress);
+}
+
+Contest PairPlayer::contest(std::size_t a, std::size_t b) const {
+  return {&strategy(a), &strategy(b), (std::uint64_t{behaviours_[a]} << 32U) | behaviours_[b],
+          sampling_.noise == 0 && prepared_[a].deterministic && prepared_[b].deterministic};
+}
+
 PairResult PairPlayer::play_best(std::size_t a, std::size_t b, unsigned worker) {
-  const Strategy& first = roster_[behaviours_[a]];
-  const Strategy& second = roster_[behaviours_[b]];
   const Prepared& x = prepared_[a];
   const Prepared& y = prepared_[b];
   if (sampling_.noise == 0 && x.deterministic && y.deterministic) {
     if (x.cycles && y.cycles && CycleFinder::fits(*x.cycles, *y.cycles))
       return finders_[worker].play(*x.cycles, *y.cycles, sampling_.criterion);
-    return play_deterministic(*first.machine, *second.machine, sampling_.criterion);
+    if (!is_opaque(a) && !is_opaque(b))
+      return play_deterministic(*strategy(a).machine, *strategy(b).machine, sampling_.criterion);
   }
   if (x.automaton && y.automaton)
     if (const auto solved = play_markov(*x.automaton, *y.automaton, sampling_.noise, sampling_.criterion))
       return *solved;
-  return play_sampled(first, second, (std::uint64_t{behaviours_[a]} << 32U) | behaviours_[b], sampling_);
+  Sampling alone = sampling_;
+  alone.threads = 1;  // the other workers play as well
+  return play_group({contest(a, b)}, alone).front();
 }
 
 PairResult play_pair(const Strategy& first, const Strategy& second, const Sampling& sampling) {
   const std::vector<Strategy> roster{first, second};
   PairPlayer player(roster, sampling, 1);
-  return player.play(player.behaviour_of()[0], player.behaviour_of()[1], 0);
+  const std::size_t a = player.behaviour_of()[0];
+  const std::size_t b = player.behaviour_of()[1];
+  return player.thinks_together(a, b) ? player.play_together({{a, b}}, nullptr).front() : player.play(a, b, 0);
 }
 
 }  // namespace folk

@@ -3,12 +3,15 @@
 
 #include <folk/analysis/cycle_table.h>
 #include <folk/analysis/pair_result.h>
+#include <folk/analysis/played_match.h>
 #include <folk/analysis/sampled_play.h>
 #include <folk/strategies/automaton.h>
 #include <folk/strategies/strategy.h>
 
 #include <cstddef>
+#include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace folk {
@@ -28,18 +31,34 @@ public:
   /// True when some pair may have to be sampled.
   bool may_sample() const { return chance_; }
 
-  /// The pair of two behaviours: by cycles where both are deterministic and nothing slips, else by their Markov chain
-  /// where both are finite (or the rounds that count are) and it is small enough, else by sampling.
-  /// Throws UsageError with both names where none of the three can be had.
+  /// True for a behaviour whose players are opaque: they alone may hold beliefs.
+  bool is_opaque(std::size_t behaviour) const { return !strategy(behaviour).machine; }
+
+  /// The pair of two behaviours: by cycles where both are deterministic machines and nothing slips, by a single match
+  /// where both are deterministic and one is opaque, else by their Markov chain where both are finite machines (or the
+  /// rounds that count are finite) and it is small enough, else by sampling.
+  /// Throws UsageError with both names where none of these can be had.
   PairResult play(std::size_t a, std::size_t b, unsigned worker);
+
+  /// True for a pair of which somebody thinks together with other players: its place is in play_together.
+  bool thinks_together(std::size_t a, std::size_t b) const {
+    return prepared_[a].thinks_together || prepared_[b].thinks_together;
+  }
+
+  /// Pairs that think together, all at once, with the sampling's threads; results in the same order.
+  std::vector<PairResult> play_together(const std::vector<std::pair<std::size_t, std::size_t>>& pairs,
+                                        const std::function<void(double)>& progress) const;
 
 private:
   struct Prepared {
     bool deterministic = false;
+    bool thinks_together = false;
     std::optional<Automaton> automaton;
     std::optional<CycleTable> cycles;
   };
 
+  const Strategy& strategy(std::size_t behaviour) const { return roster_[behaviours_[behaviour]]; }
+  Contest contest(std::size_t a, std::size_t b) const;
   Prepared prepare(const Strategy& strategy) const;
   void unroll_into(Prepared& prepared, const Machine& machine) const;
   PairResult play_best(std::size_t a, std::size_t b, unsigned worker);

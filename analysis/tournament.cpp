@@ -23,6 +23,13 @@ constexpr double rounding = 1e-12;
 /// Figures for more pairs of behaviours than this would not fit into the memory of a small machine.
 constexpr std::size_t most_behaviours = 10'000;
 
+/// The share of the work that pairs which think together are taken for.
+double thinking_share(std::size_t thinking, std::size_t pairs) {
+  constexpr double weight = 1000;  // of a pair that is thought about, against one that is looked up or counted
+  const double thought = weight * static_cast<double>(thinking);
+  return thought / (thought + static_cast<double>(pairs - thinking) + 1e-300);
+}
+
 double median_of(std::vector<double>& values) {
   if (values.empty()) return 0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -74,7 +81,8 @@ void Tournament::scale_payoffs() {
 
 void Tournament::play_pairs() {
   PairPlayer player(roster_,
-                    {settings_.payoffs, settings_.criterion, settings_.noise, settings_.repetitions, settings_.seed},
+                    {settings_.payoffs, settings_.criterion, settings_.noise, settings_.repetitions, settings_.seed,
+                     settings_.threads},
                     settings_.threads);
   behaviour_of_ = player.behaviour_of();
   behaviours_ = player.behaviours().size();
@@ -87,27 +95,53 @@ void Tournament::play_pairs() {
   cooperations_.resize(behaviours_ * behaviours_);
   notes_.resize(behaviours_ * behaviours_);
   if (player.may_sample()) errors_.resize(behaviours_ * behaviours_);
+  guesses_.resize(behaviours_);
+  for (std::size_t b = 0; b < behaviours_; ++b)
+    if (player.is_opaque(b)) guesses_[b].resize(behaviours_);
+  // A behaviour meets itself as its own copy or as another entrant that behaves alike.
+  const auto meet = [&](std::size_t a, std::size_t b) { return a != b || settings_.self_play || members[b] > 1; };
+
+  std::vector<std::pair<std::size_t, std::size_t>> thinking;
+  for (std::size_t b = 0; b < behaviours_; ++b)
+    for (std::size_t a = 0; a <= b; ++a)
+      if (player.thinks_together(a, b) && meet(a, b)) thinking.emplace_back(a, b);
+  const double share = thinking_share(thinking.size(), behaviours_ * (behaviours_ + 1) / 2);
+  const auto report = [&](double begin, double length) -> std::function<void(double)> {
+    if (!settings_.progress || length == 0) return nullptr;
+    return [this, begin, length](double done) { settings_.progress(begin + length * done); };
+  };
+
   parallel_for(
       behaviours_, settings_.threads,
       [&](std::size_t b, unsigned worker) {
-        for (std::size_t a = 0; a < b; ++a) {
-          const PairResult result = player.play(a, b, worker);
-          store(a, b, result);
-          store(b, a, exchanged(result));
-        }
-        // A behaviour meets itself as its own copy or as another entrant that behaves alike.
-        if (!settings_.self_play && members[b] == 1) return;
-        PairResult mirror = player.play(b, b, worker);
-        // Both seats are the same entrant: its score is the mean of the two.
-        mirror.weights[1] = mirror.weights[2] = (mirror.weights[1] + mirror.weights[2]) / 2;
-        // The two are correlated: the mean of their errors is an upper bound.
-        mirror.first_error = mirror.second_error = (mirror.first_error + mirror.second_error) / 2;
-        store(b, b, mirror);
+        for (std::size_t a = 0; a <= b; ++a)
+          if (!player.thinks_together(a, b) && meet(a, b)) store(a, b, player.play(a, b, worker));
       },
-      settings_.progress);
+      report(0, 1 - share));
+  const auto results = player.play_together(thinking, report(1 - share, share));
+  for (std::size_t i = 0; i < thinking.size(); ++i) store(thinking[i].first, thinking[i].second, results[i]);
+
+  for (auto& row : guesses_)
+    if (std::all_of(row.begin(), row.end(), [](const Guesses& guesses) { return guesses.all == 0; })) row.clear();
 }
 
 void Tournament::store(std::size_t a, std::size_t b, const PairResult& result) {
+  if (a != b) {
+    store_row(a, b, result);
+    store_row(b, a, exchanged(result));
+    return;
+  }
+  // Both seats are the same entrant: its figures are the means of the two.
+  PairResult mirror = result;
+  mirror.weights[1] = mirror.weights[2] = (result.weights[1] + result.weights[2]) / 2;
+  mirror.first_guesses.right = (result.first_guesses.right + result.second_guesses.right) / 2;
+  mirror.first_guesses.all = (result.first_guesses.all + result.second_guesses.all) / 2;
+  // The two are correlated: the mean of their errors is an upper bound.
+  mirror.first_error = (result.first_error + result.second_error) / 2;
+  store_row(b, b, mirror);
+}
+
+void Tournament::store_row(std::size_t a, std::size_t b, const PairResult& result) {
   const std::size_t at = a * behaviours_ + b;
   double own = 0;
   double theirs = 0;
@@ -117,9 +151,10 @@ void Tournament::store(std::size_t a, std::size_t b, const PairResult& result) {
   }
   scores_[at] = own;
   cooperations_[at] = result.weights[0] + result.weights[1];
-  const bool exact = result.method == Method::cycle && settings_.criterion.is_finite();
+  const bool exact = is_exact(result.method, settings_.criterion);
   notes_[at] = Note{result.method, own - theirs > (exact ? 0 : rounding * largest_score_)};
   if (!errors_.empty()) errors_[at] = result.first_error;
+  if (!guesses_[a].empty()) guesses_[a][b] = result.first_guesses;
 }
 
 double Tournament::score(std::size_t i, std::size_t j) const { return scores_[cell(i, j)] / scale_; }
@@ -130,6 +165,23 @@ Method Tournament::method(std::size_t i, std::size_t j) const { return notes_[ce
 
 double Tournament::standard_error(std::size_t i, std::size_t j) const {
   return errors_.empty() ? 0 : errors_[cell(i, j)];
+}
+
+std::optional<double> Tournament::belief_accuracy(std::size_t i, std::size_t j) const {
+  const auto& row = guesses_[behaviour_of_[i]];
+  return row.empty() ? std::nullopt : row[behaviour_of_[j]].accuracy();
+}
+
+bool Tournament::has_beliefs() const {
+  return std::any_of(guesses_.begin(), guesses_.end(), [](const auto& row) { return !row.empty(); });
+}
+
+std::vector<std::string> Tournament::caveats() const {
+  std::vector<std::string> caveats;
+  for (const auto& strategy : roster_)
+    if (!strategy.caveat.empty() && std::find(caveats.begin(), caveats.end(), strategy.caveat) == caveats.end())
+      caveats.push_back(strategy.caveat);
+  return caveats;
 }
 
 std::optional<double> Tournament::normalised(std::size_t i, std::size_t j) const {
@@ -168,11 +220,13 @@ RankingEntry Tournament::entry(std::size_t i) const {
   bool all_normalised = true;
   std::vector<double> scores;
   scores.reserve(size());
+  Guesses guesses;
   const std::size_t row = behaviour_of_[i] * behaviours_;
   for (std::size_t j = 0; j < size(); ++j) {
     if (!played(i, j)) continue;
     const std::size_t at = row + behaviour_of_[j];
     total += static_cast<long double>(scores_[at]);
+    if (!guesses_[behaviour_of_[i]].empty()) guesses += guesses_[behaviour_of_[i]][behaviour_of_[j]];
     scores.push_back(scores_[at]);
     cooperations += cooperations_[at];
     if (!errors_.empty()) error_of[behaviour_of_[j]] += errors_[at];
@@ -189,6 +243,7 @@ RankingEntry Tournament::entry(std::size_t i) const {
   entry.cooperation_rate = cooperations / count / weight;
   for (const double error : error_of) entry.error += error * error;
   entry.error = std::sqrt(entry.error);
+  entry.belief_accuracy = guesses.accuracy();
   if (all_normalised) entry.normalised = 100 * normalised_sum / scale_ / count;
   return entry;
 }
@@ -209,12 +264,13 @@ void Tournament::rank() {
   } else {
     parallel_for(size(), settings_.threads, [&](std::size_t i, unsigned) { ranking_[i] = entry(i); });
   }
+  add_up_against_roster();
   std::sort(ranking_.begin(), ranking_.end(), [](const RankingEntry& a, const RankingEntry& b) {
     return std::pair(-a.total, a.entrant) < std::pair(-b.total, b.entrant);
   });
   const long double slack = rounding * largest_score_ / scale_ * static_cast<double>(opponents());
   const auto equal = [&](const RankingEntry& a, const RankingEntry& b) {
-    const bool exact = settings_.criterion.is_finite() && a.method == Method::cycle && b.method == Method::cycle;
+    const bool exact = is_exact(a.method, settings_.criterion) && is_exact(b.method, settings_.criterion);
     return exact ? a.total == b.total : std::abs(a.total - b.total) <= slack;
   };
   for (auto first = ranking_.begin(); first != ranking_.end();) {
@@ -226,6 +282,20 @@ void Tournament::rank() {
   }
 }
 
+void Tournament::add_up_against_roster() {
+  std::vector<long double> members(behaviours_, 0);
+  for (std::size_t i = 0; i < core_; ++i) members[behaviour_of_[i]] += 1;
+  std::vector<long double> sums(behaviours_, 0);
+  for (std::size_t a = 0; a < behaviours_; ++a)
+    for (std::size_t b = 0; b < behaviours_; ++b)
+      sums[a] += members[b] * static_cast<long double>(scores_[a * behaviours_ + b]);
+  for (auto& entry : ranking_) {
+    const std::size_t i = entry.entrant;
+    const long double itself = i < core_ ? static_cast<long double>(scores_[cell(i, i)]) : 0;
+    entry.total_against_roster = (sums[behaviour_of_[i]] - itself) / static_cast<long double>(scale_);
+  }
+}
+
 void Tournament::sign() {
   std::vector<std::uint64_t> rows(behaviours_);
   parallel_for(behaviours_, settings_.threads, [&](std::size_t a, unsigned) {
@@ -233,6 +303,10 @@ void Tournament::sign() {
     for (std::size_t b = 0; b < behaviours_; ++b) {
       row.add(scores_[a * behaviours_ + b]);
       row.add(cooperations_[a * behaviours_ + b]);
+    }
+    for (const auto& guesses : guesses_[a]) {
+      row.add(guesses.right);
+      row.add(guesses.all);
     }
     rows[a] = row.value();
   });

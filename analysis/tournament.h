@@ -41,6 +41,9 @@ struct RankingEntry {
   std::optional<double> normalised;  ///< mean of its row of normalised payoffs; nothing where one is undefined
   Method method = Method::cycle;     ///< the least exact of its pairs'
   double error = 0;                  ///< standard error of the total, 0 where nothing was sampled
+  /// The share of its guesses of the others' moves that was right; nothing for an entrant without beliefs.
+  std::optional<double> belief_accuracy;
+  long double total_against_roster = 0;  ///< sum of its scores against the roster proper, its own copy left out
 };
 
 /// A finished tournament. Scores are sums for finite and ending, (1-d)-weighted for discounted, per round for mean.
@@ -78,6 +81,15 @@ public:
   Method method(std::size_t i, std::size_t j) const;
   double standard_error(std::size_t i, std::size_t j) const;
 
+  /// The share of i's guesses of j's moves that was right, rounds weighing as in the score; nothing without beliefs.
+  std::optional<double> belief_accuracy(std::size_t i, std::size_t j) const;
+
+  /// True when some entrant told a belief.
+  bool has_beliefs() const;
+
+  /// What a reader must know of the figures, each said once, in roster order.
+  std::vector<std::string> caveats() const;
+
   /// Opponents of each entrant: one less without self-play.
   std::size_t opponents() const { return size() - (settings_.self_play ? 0U : 1U); }
 
@@ -94,8 +106,10 @@ private:
   void scale_payoffs();
   void play_pairs();
   void store(std::size_t a, std::size_t b, const PairResult& result);
+  void store_row(std::size_t a, std::size_t b, const PairResult& result);
   void average_columns();
   void rank();
+  void add_up_against_roster();
   RankingEntry entry(std::size_t i) const;
   void sign();
 
@@ -120,6 +134,7 @@ private:
     bool wins = false;  // a scored more than b
   };
   std::vector<Note> notes_;
+  std::vector<std::vector<Guesses>> guesses_;  // a row for each opaque behaviour, none for machines
 
   std::vector<double> column_means_;  // of the core's scores against each entrant
   std::vector<RankingEntry> ranking_;

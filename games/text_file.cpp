@@ -44,15 +44,15 @@ void write_through(const fs::path& path, const fs::path& shown, const std::funct
 
 }  // namespace
 
-std::string read_text_file(const fs::path& path) {
+std::string read_file(const fs::path& path, std::size_t largest) {
   const std::string too_large =
-      fmt::format("larger than {} MiB, which no file of this kind is; check the name", largest_text_file >> 20U);
+      fmt::format("larger than {} MiB, which no file of this kind is; check the name", largest >> 20U);
   std::error_code error;
   const auto status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found) refuse(path, "no such file; check the name");
   if (!fs::exists(status)) refuse(path, "cannot be opened: " + error.message());
   if (fs::is_directory(status)) refuse(path, "is a directory, not a file; name a file in it");
-  if (fs::is_regular_file(status) && fs::file_size(path, error) > largest_text_file) refuse(path, too_large);
+  if (fs::is_regular_file(status) && fs::file_size(path, error) > largest) refuse(path, too_large);
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) refuse(path, std::string("cannot be opened: ") + std::strerror(errno));
@@ -61,11 +61,13 @@ std::string read_text_file(const fs::path& path) {
   char block[65536];
   while (file.read(block, sizeof block), file.gcount() > 0) {
     text.append(block, static_cast<std::size_t>(file.gcount()));
-    if (text.size() > largest_text_file) refuse(path, too_large);
+    if (text.size() > largest) refuse(path, too_large);
   }
   if (file.bad()) refuse(path, "cannot be read");
   return text;
 }
+
+std::string read_text_file(const fs::path& path) { return read_file(path, largest_text_file); }
 
 void write_file(const fs::path& path, const std::function<void(std::ostream&)>& content) {
   std::error_code error;

@@ -1,5 +1,5 @@
 #pragma once
-// Reading and writing whole text files without losing anything.
+// Reading and writing whole files, texts above all, without losing anything.
 
 #include <cstddef>
 #include <filesystem>
@@ -14,7 +14,10 @@ namespace folk {
 inline constexpr std::size_t largest_text_file = std::size_t{64} << 20U;
 
 /// The file's bytes; a pipe is read to its end. Throws InputFileError when it does not exist, is a directory, is larger
-/// than largest_text_file or cannot be read.
+/// than `largest` bytes (whole MiB) or cannot be read.
+std::string read_file(const std::filesystem::path& path, std::size_t largest);
+
+/// read_file up to largest_text_file.
 std::string read_text_file(const std::filesystem::path& path);
 
 /// Writes to a temporary name beside `path` and renames it, so that a reader sees the old file or the whole new one.

@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 
 namespace folk {
 
@@ -35,11 +36,23 @@ public:
   /// P(the opponent plays C) in the round that `move` was last called for; nothing for a player without beliefs.
   virtual std::optional<double> belief() const { return std::nullopt; }
 
+  /// A hint: `peers`, players of the same strategy and this one among them, are all about to be asked for their move in
+  /// the same round of matches of their own (or of one match against each other). Who thinks expensively may now think
+  /// for all of them at once, with up to `threads` threads. move() returns the same with or without it. Given only to
+  /// strategies that say `thinks_together`.
+  virtual void think_together(std::span<Player* const> peers, unsigned threads) {
+    static_cast<void>(peers);
+    static_cast<void>(threads);
+  }
+
 protected:
   Player() = default;
   Player(const Player&) = default;
   Player& operator=(const Player&) = default;
 };
+
+/// The move that a belief holds likelier; C at even odds.
+constexpr Move likelier_move(double belief) { return belief >= 0.5 ? Move::C : Move::D; }
 
 class Machine;
 

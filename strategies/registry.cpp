@@ -18,8 +18,11 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// What two names of strategies must share to be the same: a command letter by letter, any other name as it is matched.
-std::string identity(std::string_view name) { return name.starts_with("exec:") ? std::string(name) : name_key(name); }
+/// What two names of strategies must share to be the same: what a prefix hands on (exec:CMD, sct:FILE) letter by
+/// letter, any other name as it is matched.
+std::string identity(std::string_view name) {
+  return name.find(':') != std::string_view::npos ? std::string(name) : name_key(name);
+}
 
 /// How many letters must be inserted, dropped or changed (Levenshtein).
 std::size_t edit_distance(std::string_view a, std::string_view b) {

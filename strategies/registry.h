@@ -106,7 +106,8 @@ std::string name_key(std::string_view name);
 /// Throws UsageError on an unclosed bracket or quote.
 std::vector<std::string> split_list(std::string_view text);
 
-/// True when two strategies' names are matched alike; commands of programs are compared letter by letter.
+/// True when two strategies' names are matched alike; commands and files (exec:CMD, sct:FILE) are compared letter by
+/// letter.
 bool same_name(std::string_view a, std::string_view b);
 
 /// Throws UsageError when two strategies of a roster have the same_name.

@@ -16,6 +16,14 @@ struct Strategy {
   std::shared_ptr<const Machine> machine;                ///< null for an opaque player
   std::function<std::unique_ptr<Player>()> make_player;  ///< set for an opaque player
 
+  /// An opaque player that draws no random numbers: against another deterministic one, without noise, one match is all
+  /// there is.
+  bool deterministic = false;
+  /// Its opaque players gain from Player::think_together: hundreds of them are kept at once and asked round by round.
+  bool thinks_together = false;
+  /// What a reader must know of its figures, e.g. "sct extrapolates beyond its 100 trained rounds"; empty: nothing.
+  std::string caveat{};
+
   /// A fresh player of this strategy.
   std::unique_ptr<Player> new_player() const { return machine ? play(machine) : make_player(); }
 };

@@ -5,6 +5,7 @@
 #include <folk/strategies/registry.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cctype>
 #include <map>
 #include <string>
@@ -85,6 +86,33 @@ TEST_P(Conformance, PlayerAndMachineAndMinimalTableAgreeUnderAnyPlay) {
       player->observe(own, theirs);
       state = machine.next(state, own, theirs);
       same = minimal.next(same, own, theirs);
+    }
+  }
+}
+
+TEST_P(Conformance, ItPlaysTheSameAgainIfItIsDeterministicAndBelievesInProbabilities) {
+  const bool deterministic = strategy.machine ? strategy.machine->deterministic() : strategy.deterministic;
+  const auto first = strategy.new_player();
+  const auto second = strategy.new_player();
+  RandomStream random({10, GetParam(), 0, 0});
+  for (std::uint64_t match = 0; match < 5; ++match) {
+    first->start({{}, Criterion::finite(60), {1, match, 0, 0}});
+    second->start({{}, Criterion::finite(60), {2, match, 0, 1}});
+    std::array<Player*, 1> peers{first.get()};
+    for (int t = 0; t < 60; ++t) {
+      first->think_together(peers, 2);
+      const Move own = first->move();
+      const Move same = second->move();
+      if (deterministic) {
+        EXPECT_EQ(own, same);
+        EXPECT_EQ(first->belief(), second->belief());
+      }
+      if (const auto belief = first->belief()) {
+        EXPECT_TRUE(*belief >= 0 && *belief <= 1) << *belief;
+      }
+      const Move theirs = random.chance(0.6) ? Move::C : Move::D;
+      first->observe(own, theirs);
+      second->observe(own, theirs);
     }
   }
 }
