@@ -14,7 +14,7 @@ function(folk_compile_options target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     # False alarms of GCC 12 in other people's headers: std::string (bug 105329), its own AVX-512 intrinsics under Eigen
     # (bug 105593) and Boost's cpp_int.
-    target_compile_options(${target} PRIVATE -Wno-restrict -Wno-maybe-uninitialized)
+    target_compile_options(${target} PRIVATE -Wno-restrict -Wno-maybe-uninitialized -Wno-uninitialized)
   endif()
   if(FOLK_WERROR)
     target_compile_options(${target} PRIVATE -Werror)

@@ -1,5 +1,6 @@
 // A small mutational fuzzer for compilers without libFuzzer: fuzz_NAME [INPUTS [SEED [CORPUS_FOLDER...]]].
-// The same arguments give the same inputs. A crash prints the input that caused it and ends with a status other than 0.
+// The same arguments give the same inputs. A target that defines LLVMFuzzerCustomMutator makes half of them. A crash
+// prints the input that caused it and ends with a status other than 0.
 
 #include <folk/games/random.h>
 
@@ -17,6 +18,9 @@
 #include <vector>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+// Defined by targets that know the form of their inputs: changes `data` in place, up to `most` bytes.
+extern "C" __attribute__((weak)) std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                                                     std::size_t most, unsigned seed);
 // Defined when a sanitizer is linked in.
 extern "C" __attribute__((weak)) void __sanitizer_set_death_callback(void (*callback)());
 
@@ -96,6 +100,7 @@ public:
   std::string input(std::uint64_t number) {
     if (number < seeds_.size()) return seeds_[number];
     std::string text = pick(seeds_);
+    if (LLVMFuzzerCustomMutator != nullptr && number % 2 == 0) return by_target(std::move(text));
     const std::size_t changes = 1 + below(random_.chance(0.1) ? 24 : 5);
     for (std::size_t i = 0; i < changes; ++i) change(text);
     text.resize(std::min(text.size(), longest_input));
@@ -112,6 +117,14 @@ private:
     const std::size_t begin = below(text.size() + 1);
     const std::size_t most = random_.chance(0.2) ? text.size() - begin : std::min<std::size_t>(8, text.size() - begin);
     return {begin, below(most + 1)};
+  }
+
+  std::string by_target(std::string text) {
+    const std::size_t size = text.size();
+    text.resize(std::max(size, longest_input));
+    text.resize(LLVMFuzzerCustomMutator(reinterpret_cast<std::uint8_t*>(text.data()), size, text.size(),
+                                        static_cast<unsigned>(random_())));
+    return text;
   }
 
   void change(std::string& text) {

@@ -1,0 +1,53 @@
+#pragma once
+// One pre-norm block of the decoder: x += attention(norm(x)), x += mlp(norm(x)); forward and backward.
+
+#include <folk/sct/attention.h>
+#include <folk/sct/layer_norm.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace folk::sct {
+
+/// Where a block's tensors stand.
+struct BlockTensors {
+  Tensor norm_1_gain, norm_1_bias, attention, attention_bias, projection, projection_bias;
+  Tensor norm_2_gain, norm_2_bias, inner, inner_bias, outer, outer_bias;
+
+  BlockTensors(const ParameterLayout& layout, std::size_t layer);
+};
+
+/// What the backward pass needs of one block.
+template <class S>
+struct BlockTape {
+  LayerNormTape<S> norm_1;
+  Matrix<S> normal_1;       ///< [tokens, h]
+  Matrix<S> normal_1_read;  ///< its queries' rows, where not all are
+  Matrix<S> q;              ///< [queries, h]
+  Matrix<S> kv;             ///< [tokens, 2h]
+  AttentionTape<S> attention;
+  Matrix<S> context;  ///< [queries, h]
+  std::vector<std::uint8_t> keep_projection;
+  LayerNormTape<S> norm_2;
+  Matrix<S> normal_2;  ///< [queries, h]
+  Matrix<S> inner;     ///< after ReLU  [queries, 4h]
+  std::vector<std::uint8_t> keep_outer;
+};
+
+/// Room for the intermediate results of one chunk, reused from block to block.
+template <class S>
+struct BlockScratch {
+  Matrix<S> a, b, c, d;
+};
+
+/// x [tokens, h] becomes [queries, h].
+template <class S>
+void block_forward(const BlockTensors& tensors, const S* parameters, const AttentionShape& shape, Matrix<S>& x,
+                   BlockTape<S>& tape, BlockScratch<S>& scratch);
+
+/// dx [queries, h] becomes [tokens, h]; the parameters' gradients are added to `gradient`.
+template <class S>
+void block_backward(const BlockTensors& tensors, const S* parameters, const AttentionShape& shape,
+                    const BlockTape<S>& tape, Matrix<S>& dx, S* gradient, BlockScratch<S>& scratch);
+
+}  // namespace folk::sct

@@ -1,0 +1,48 @@
+#pragma once
+// Arrays as .npy files, the format of NumPy: one array of numbers with its shape.
+//
+// "\x93NUMPY", a version (1.0, 2.0 or 3.0), the header's length, the header "{'descr': '<f4', 'fortran_order': False,
+// 'shape': (3, 4), }", then the numbers, the last index moving fastest. Source of the format: NumPy's documentation of
+// numpy.lib.format.
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace folk::sct {
+
+/// The types of number that Folk reads and writes; their names in a file are <f4 <f8 <i4 <i8 |i1 |u1 |b1.
+enum class NpyType { float32, float64, int32, int64, int8, uint8, boolean };
+
+std::string_view to_string(NpyType type);
+
+/// An array of any of these types; truth values are 0 and 1.
+struct NpyArray {
+  std::vector<std::size_t> shape;  ///< no number in it: a single value
+  std::vector<double> values;      ///< row-major; as many as the shape's product
+};
+
+/// No array that Folk reads has more numbers than this (1 GiB of doubles).
+inline constexpr std::size_t most_npy_values = std::size_t{1} << 27U;
+
+/// Reads a file's bytes; `source` (a path) is what messages call them. NaN and infinities are kept.
+/// Throws InputFileError "source: what; mend" for what is no such file, another type, the other byte order, Fortran
+/// order, a size that does not fit the shape, and whole numbers beyond 2^53, which a double does not hold.
+NpyArray parse_npy(std::string_view bytes, const std::string& source);
+
+/// parse_npy of a file's bytes. Also throws InputFileError when the file cannot be read.
+NpyArray read_npy(const std::filesystem::path& path);
+
+/// The bytes of a version 1.0 file, which parse_npy reads back to the same array (float32: rounded to the nearest).
+/// Throws UsageError when the shape does not fit the values, or a value the type.
+std::string npy_bytes(const NpyArray& array, NpyType type);
+
+/// Writes npy_bytes at once or not at all (write_file of games/text_file.h). Throws UsageError, EnvironmentError.
+void write_npy(const std::filesystem::path& path, const NpyArray& array, NpyType type);
+
+/// The place of a value as its indices: "3, 17".
+std::string npy_place(const NpyArray& array, std::size_t value);
+
+}  // namespace folk::sct
