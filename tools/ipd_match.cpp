@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "match_output.h"
+#include "play_options.h"
 #include "program.h"
 #include "progress.h"
 
@@ -42,6 +43,7 @@ MatchSettings settings_of(const po::variables_map& values) {
   settings.game = chosen_game(values);
   settings.rounds = rounds_option(values);
   settings.noise = parse_number(text_option(values, "noise", "0"), "--noise", 0, 1);
+  settings.policies = chosen_play_options(values);
   settings.seed = whole_option(values, "seed", 1, 0, std::numeric_limits<std::uint64_t>::max());
   return settings;
 }
@@ -59,6 +61,7 @@ Program ipd_match() {
   add("rounds", po::value<std::string>(), "how many rounds, 1 to 1000000 (default 30)");
   add("noise", po::value<std::string>(), "the probability that a move flips (default 0)");
   add_game_options(program.options);
+  add_play_options(program.options);
   add("seed", po::value<std::string>(), "of all random numbers (default 1)");
   add("width", po::value<std::string>(), "columns of the text (default: the terminal's, else 80)");
   program.arguments.add_options()("player", po::value<std::vector<std::string>>());

@@ -16,6 +16,7 @@
 
 #include "chosen_machine.h"
 #include "program.h"
+#include "standard_names.h"
 #include "strategy_difference.h"
 #include "strategy_entry.h"
 #include "table.h"
@@ -30,12 +31,21 @@ constexpr std::size_t most_shown = 1000;
 
 // ---- list --------------------------------------------------------------------------------------------------------
 
+/// True for a name that stands for one strategy, as it is.
+bool is_plain(const std::string& name) {
+  return name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_-") == std::string::npos;
+}
+
 /// Facts of a name that stands for one machine; families, files and commands have none before they are filled in.
 std::optional<Facts> facts_of_name(const Registry& registry, const std::string& name) {
-  if (name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_-") != std::string::npos) return std::nullopt;
-  const Strategy strategy = registry.make(name);
-  if (!strategy.machine) return std::nullopt;
-  return facts_of(*strategy.machine);
+  if (!is_plain(name)) return std::nullopt;
+  try {
+    const Strategy strategy = registry.make(name);
+    if (!strategy.machine) return std::nullopt;
+    return facts_of(*strategy.machine);
+  } catch (const InputFileError&) {  // a policy that is not installed: it is listed all the same
+    return std::nullopt;
+  }
 }
 
 /// Words on lines of at most `width` characters.
@@ -75,10 +85,11 @@ std::size_t widest_name(const std::vector<Description>& descriptions) {
 void print_list(const std::vector<Entry>& entries, const std::vector<Description>& groups) {
   constexpr std::size_t page = 120;
   std::vector<Description> families;
+  std::vector<Description> players;
   Table strategies({"name", "memory", "states", "deterministic", "nice", "behaviour"});
   for (const auto& entry : entries) {
     if (!entry.facts) {
-      families.push_back(entry.description);
+      (is_plain(entry.description.name) ? players : families).push_back(entry.description);
       continue;
     }
     const Facts& facts = *entry.facts;
@@ -95,11 +106,12 @@ void print_list(const std::vector<Entry>& entries, const std::vector<Description
     std::cout << "\n" << table.text();
   };
   print("with parameters", families);
+  print("without a machine", players);
   print("rosters and families", groups);
 }
 
 int list(const Common& common) {
-  const Registry registry = Registry::standard();
+  const Registry registry = standard_names();
   std::vector<Entry> entries;
   for (const auto& description : registry.strategies())
     entries.push_back({description, facts_of_name(registry, description.name)});
@@ -177,7 +189,7 @@ void print_known(const Entry& entry, const std::string& family, const Shown& mac
 }
 
 int show(const std::string& name, const Payoffs& payoffs, const Common& common) {
-  const Registry registry = Registry::standard();
+  const Registry registry = standard_names();
   const Strategy strategy = registry.make(name, payoffs);
   Entry entry{registry.describe(name), std::nullopt};
   const std::string family = std::exchange(entry.description.name, strategy.name);
@@ -202,7 +214,7 @@ int show(const std::string& name, const Payoffs& payoffs, const Common& common) 
 
 int diff(const std::string& a, const std::string& b, Sense sense, std::size_t most_pairs, const Payoffs& payoffs,
          const Common& common) {
-  const Registry registry = Registry::standard();
+  const Registry registry = standard_names();
   const Strategy first = chosen_machine(registry, a, payoffs, "compared");
   const Strategy second = chosen_machine(registry, b, payoffs, "compared");
   const Machine& one = *first.machine;

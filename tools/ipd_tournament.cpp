@@ -1,8 +1,10 @@
 // ipd-tournament: the round robin of a roster.
 
 #include "game_option.h"
+#include "play_options.h"
 #include "program.h"
 #include "progress.h"
+#include "standard_names.h"
 #include "tournament_output.h"
 
 #include <fmt/format.h>
@@ -45,11 +47,12 @@ Program program() {
   add("end-probability", text(), "each round is the last with this probability; the same as --criterion ending:p");
   add("noise", text()->default_value("0"), "each move flips with this probability, from 0 to 1");
   add_game_options(program.options);
+  add_play_options(program.options);
   add("no-self-play", "nobody meets its own copy");
   add("repetitions", text(), "matches of a pair that can only be sampled (default 100)");
   add("seed", text(), "of all random numbers (default 1)");
   add("threads", text(), "threads (default: one a processor); the results do not depend on it");
-  add("output", text(), "folder for ranking.csv, scores.csv, cooperation.csv, summary.json");
+  add("output", text(), "folder for ranking.csv, scores.csv, cooperation.csv, beliefs.csv, summary.json");
   add("plot", text()->implicit_value("svg"), "svg or png: also draw payoffs, cooperation and scores into --output");
   return program;
 }
@@ -77,7 +80,7 @@ struct Field {
 };
 
 Field field_of(const po::variables_map& values, const Payoffs& payoffs) {
-  const Registry registry = Registry::standard();
+  const Registry registry = standard_names(chosen_play_options(values));
   Field field{registry.roster(text_option(values, "strategies"), payoffs), 0};
   if (values.count("exclude") != 0)
     for (const auto& left_out : registry.roster(text_option(values, "exclude"), payoffs)) {

@@ -47,6 +47,12 @@ std::string beliefs_of(const std::vector<double>& beliefs) {
   return array_of(items);
 }
 
+std::string notes_of(const std::vector<std::string>& caveats) {
+  std::vector<std::string> notes(caveats.size());
+  std::transform(caveats.begin(), caveats.end(), notes.begin(), string_of);
+  return array_of(notes);
+}
+
 std::string payoffs_of(const Payoffs& payoffs) {
   return fmt::format("{{\"T\":{},\"R\":{},\"P\":{},\"S\":{}}}", number(payoffs.temptation), number(payoffs.reward),
                      number(payoffs.punishment), number(payoffs.sucker));
@@ -58,12 +64,16 @@ void write_csv(std::ostream& out, const MatchSettings& settings, const MatchReco
   const auto by_outcome = settings.game.payoffs.by_outcome();
   std::array<std::string, 4> texts;
   std::transform(by_outcome.begin(), by_outcome.end(), texts.begin(), number);
-  out << "round,move1,move2,score1,score2\n";
+  const auto belief = [&](std::size_t seat, std::size_t round) {
+    const auto& beliefs = record.beliefs[seat];
+    return beliefs.empty() || std::isnan(beliefs[round]) ? std::string() : fmt::format("{}", beliefs[round]);
+  };
+  out << "round,move1,move2,score1,score2,belief1,belief2\n";
   for (std::size_t t = 0; t < record.transcript.rounds(); ++t) {
     const Move first = record.move(0, t);
     const Move second = record.move(1, t);
-    out << fmt::format("{},{},{},{},{}\n", t + 1, to_char(first), to_char(second), texts[outcome(first, second)],
-                       texts[outcome(second, first)]);
+    out << fmt::format("{},{},{},{},{},{},{}\n", t + 1, to_char(first), to_char(second), texts[outcome(first, second)],
+                       texts[outcome(second, first)], belief(0, t), belief(1, t));
   }
 }
 
@@ -90,6 +100,7 @@ void write_json(std::ostream& out, const MatchSettings& settings, const MatchRec
   put_both("means", [&](int seat) { return number(at(scores, seat).back() / Rational(settings.rounds)); });
   put_both("cooperation_rates", [&](int seat) { return fmt::format("{}", cooperation_rate(record, seat)); });
   put_both("running_scores", [&](int seat) { return numbers_of(at(scores, seat)); });
+  put("notes", notes_of(record.caveats));
   put_both("beliefs", [&](int seat) { return beliefs_of(at(record.beliefs, seat)); });
   put_both("belief_accuracy", [&](int seat) {
     const auto accuracy = belief_accuracy(record, seat);

@@ -20,7 +20,7 @@ Sheet sheet_of_stdout();
 /// The moves as people write them, in lines of whole tens of rounds, with running scores, beliefs and totals.
 void write_text(std::ostream& out, const MatchSettings& settings, const MatchRecord& record, const Sheet& sheet);
 
-/// A line a round: round,move1,move2,score1,score2.
+/// A line a round: round,move1,move2,score1,score2,belief1,belief2.
 void write_csv(std::ostream& out, const MatchSettings& settings, const MatchRecord& record);
 
 /// One object; docs/ipd-match.md says what it holds.

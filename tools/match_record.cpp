@@ -1,5 +1,7 @@
 #include "match_record.h"
 
+#include "standard_names.h"
+
 #include <folk/games/criterion.h>
 #include <folk/games/match.h>
 #include <folk/games/random.h>
@@ -27,12 +29,14 @@ Rational payoff(const std::array<Rational, 4>& by_outcome, const MatchRecord& re
 }  // namespace
 
 MatchRecord play_one(const MatchSettings& settings, const std::function<void(double)>& progress) {
-  const Registry registry = Registry::standard();
+  const Registry registry = standard_names(settings.policies);
   MatchRecord record;
   std::array<std::unique_ptr<Player>, 2> players;
   for (std::size_t seat = 0; seat < 2; ++seat) {
     const Strategy strategy = registry.make(settings.players[seat], settings.game.payoffs);
     record.names[seat] = strategy.name;
+    if (!strategy.caveat.empty() && std::count(record.caveats.begin(), record.caveats.end(), strategy.caveat) == 0)
+      record.caveats.push_back(strategy.caveat);
     players[seat] = strategy.new_player();
     players[seat]->start(
         {settings.game.payoffs, Criterion::finite(settings.rounds), RandomKey{settings.seed, 0, 0, seat}});
@@ -72,11 +76,10 @@ double cooperation_rate(const MatchRecord& record, int seat) {
   return static_cast<double>(cooperations) / static_cast<double>(record.transcript.rounds());
 }
 
-std::optional<double> rightness(const MatchRecord& record, int seat, std::size_t round) {
-  const double belief = record.beliefs[static_cast<std::size_t>(seat)][round];
-  if (std::isnan(belief)) return std::nullopt;
-  if (belief == 0.5) return 0.5;
-  return (belief > 0.5) == (record.move(1 - seat, round) == Move::C) ? 1.0 : 0.0;
+std::optional<Move> expected_move(const MatchRecord& record, int seat, std::size_t round) {
+  const auto& beliefs = record.beliefs[static_cast<std::size_t>(seat)];
+  if (beliefs.empty() || std::isnan(beliefs[round])) return std::nullopt;
+  return likelier_move(beliefs[round]);
 }
 
 std::optional<double> belief_accuracy(const MatchRecord& record, int seat) {
@@ -84,8 +87,8 @@ std::optional<double> belief_accuracy(const MatchRecord& record, int seat) {
   double right = 0;
   double told = 0;
   for (std::size_t t = 0; t < record.transcript.rounds(); ++t)
-    if (const auto one = rightness(record, seat, t)) {
-      right += *one;
+    if (const auto expected = expected_move(record, seat, t)) {
+      right += *expected == record.move(1 - seat, t) ? 1 : 0;
       ++told;
     }
   return right / told;

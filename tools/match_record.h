@@ -4,6 +4,7 @@
 #include "game_option.h"
 
 #include <folk/games/transcript.h>
+#include <folk/sct/sct_player.h>
 
 #include <array>
 #include <cstdint>
@@ -21,11 +22,14 @@ struct MatchSettings {
   std::uint64_t rounds = 30;
   double noise = 0;
   std::uint64_t seed = 1;
+  sct::PlayOptions policies{};  ///< how they play
 };
 
-/// All that happened. `beliefs` is empty for a player that never told one, NaN in a round where it told none.
+/// All that happened. `caveats` is what a reader must know, each said once. `beliefs` is empty for a player that never
+/// told one, NaN in a round where it told none.
 struct MatchRecord {
   std::array<std::string, 2> names;
+  std::vector<std::string> caveats;
   Transcript transcript;
   std::array<std::vector<bool>, 2> slipped;
   std::array<std::vector<double>, 2> beliefs;
@@ -45,10 +49,10 @@ std::vector<Rational> running_scores(const MatchSettings& settings, const MatchR
 /// The share of rounds in which the seat cooperated.
 double cooperation_rate(const MatchRecord& record, int seat);
 
-/// How well a belief foretold what the other really played: 1 right, 0 wrong, 1/2 for even odds, nothing without one.
-std::optional<double> rightness(const MatchRecord& record, int seat, std::size_t round);
+/// The move that the seat held likelier for the other to play; nothing in a round without a belief.
+std::optional<Move> expected_move(const MatchRecord& record, int seat, std::size_t round);
 
-/// The mean of rightness over the rounds with a belief, nothing for a player without.
+/// The share of expected moves that the other really played, nothing for a player without beliefs.
 std::optional<double> belief_accuracy(const MatchRecord& record, int seat);
 
 }  // namespace folk::tools

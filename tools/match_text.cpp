@@ -38,11 +38,10 @@ char move_letter(const MatchRecord& record, int seat, std::size_t round) {
 
 /// The move that was expected of the other; lower case where it was wrong.
 char belief_letter(const MatchRecord& record, int seat, std::size_t round) {
-  const auto right = rightness(record, seat, round);
-  if (!right) return '-';
-  if (*right == 0.5) return '?';
-  const char letter = record.beliefs[static_cast<std::size_t>(seat)][round] > 0.5 ? 'C' : 'D';
-  return *right == 1 ? letter : lower(letter);
+  const auto expected = expected_move(record, seat, round);
+  if (!expected) return '-';
+  const char letter = to_char(*expected);
+  return *expected == record.move(1 - seat, round) ? letter : lower(letter);
 }
 
 /// C blue, D orange (a pair that the colour-blind tell apart), lower case underlined.
@@ -138,7 +137,7 @@ std::string legend(const MatchRecord& record) {
   };
   if (slipped(record.slipped[0]) || slipped(record.slipped[1])) text += "lower case: a move that noise flipped\n";
   if (!record.beliefs[0].empty() || !record.beliefs[1].empty())
-    text += "believes: the move expected of the other, lower case where it was wrong (?: even odds, -: none told)\n";
+    text += "believes: the move expected of the other, lower case where it was wrong (-: none told)\n";
   return text.empty() ? text : text + "\n";
 }
 
@@ -156,7 +155,7 @@ std::string summary(const MatchSettings& settings, const MatchRecord& record,
                                  fmt::format("{:.1f} %", 100 * cooperation_rate(record, seat))};
     if (believing) {
       const auto accuracy = belief_accuracy(record, seat);
-      row.push_back(accuracy ? fmt::format("{:.1f} %", 100 * *accuracy) : "-");
+      row.push_back(accuracy ? fmt::format("{:.2f} %", 100 * *accuracy) : "-");
     }
     table.add(row);
   }
@@ -177,6 +176,8 @@ void write_text(std::ostream& out, const MatchSettings& settings, const MatchRec
   for (std::size_t begin = 0; begin < settings.rounds; begin += page.moves)
     out << block(page, record, scores, begin, std::min<std::size_t>(begin + page.moves, settings.rounds)) << "\n";
   out << legend(record) << summary(settings, record, scores);
+  for (std::size_t i = 0; i < record.caveats.size(); ++i)
+    out << (i == 0 ? "\n" : "") << "note: " << record.caveats[i] << "\n";
 }
 
 }  // namespace folk::tools

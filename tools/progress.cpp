@@ -12,12 +12,18 @@
 namespace folk::tools {
 namespace {
 
+void show(const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fflush(stderr);
+}
+
+}  // namespace
+
 std::size_t terminal_width() {
   winsize size{};
   return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
 
-/// "0:07", "12:30", "3:05:00"; nothing beyond a hundred hours, where an estimate says little.
 std::string duration(double seconds) {
   if (!(seconds >= 0 && seconds < 360000)) return {};
   const auto whole = static_cast<unsigned>(std::lround(seconds));
@@ -25,13 +31,6 @@ std::string duration(double seconds) {
   return hours > 0 ? fmt::format("{}:{:02}:{:02}", hours, whole / 60 % 60, whole % 60)
                    : fmt::format("{}:{:02}", whole / 60, whole % 60);
 }
-
-void show(const std::string& text) {
-  std::fwrite(text.data(), 1, text.size(), stderr);
-  std::fflush(stderr);
-}
-
-}  // namespace
 
 std::string progress_line(const std::string& what, double fraction, std::optional<double> seconds_left,
                           std::size_t width) {

@@ -2,6 +2,7 @@
 // A progress bar on stderr for work that takes a while.
 
 #include <chrono>
+#include <cstddef>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -12,6 +13,12 @@ namespace folk::tools {
 /// `fraction` is clamped to [0, 1]; without `seconds_left` the last part is left out.
 std::string progress_line(const std::string& what, double fraction, std::optional<double> seconds_left,
                           std::size_t width);
+
+/// Columns of the terminal that stderr is; 80 where it does not say.
+std::size_t terminal_width();
+
+/// "0:07", "12:30", "3:05:00"; nothing beyond a hundred hours, where an estimate says little.
+std::string duration(double seconds);
 
 /// Shows how far some work has got once it has lasted a second, a few times a second, and removes itself at the end.
 /// Shows nothing unless enabled and stderr is a terminal. Any thread may report; the highest fraction counts.

@@ -12,6 +12,7 @@
 
 #include "chosen_machine.h"
 #include "program.h"
+#include "standard_names.h"
 
 namespace folk::tools {
 namespace {
@@ -102,7 +103,7 @@ int draw(const po::variables_map& values, const Common&) {
   const Sense sense = values.count("any-own-moves") != 0 ? Sense::any_own_moves : Sense::own_moves_its_own;
   const std::string payoffs = text_option(values, "payoffs");
   const Strategy strategy =
-      chosen_machine(Registry::standard(), name, payoffs.empty() ? Payoffs{} : parse_payoffs(payoffs), "drawn");
+      chosen_machine(standard_names(), name, payoffs.empty() ? Payoffs{} : parse_payoffs(payoffs), "drawn");
 
   const Automaton automaton = drawn_automaton(strategy.name, *strategy.machine, sense, horizon);
   const std::string dot = to_dot(automaton, {strategy.name, sense, horizon});

@@ -38,9 +38,14 @@ bool sampled(const Tournament& tournament) {
                      [](const auto& entry) { return entry.method == Method::sampled; });
 }
 
+/// A total for the eye.
+std::string total_text(long double total) {
+  return total == std::floor(total) ? exact(total) : fmt::format("{:.4f}", static_cast<double>(total));
+}
+
 /// A JSON object: how many pairs (self-play among them) were obtained in which way.
 std::string methods_of(const Tournament& tournament) {
-  constexpr std::array methods{Method::cycle, Method::markov, Method::bounded, Method::sampled};
+  constexpr std::array methods{Method::cycle, Method::played, Method::markov, Method::bounded, Method::sampled};
   std::array<std::size_t, methods.size()> pairs{};
   for (std::size_t i = 0; i < tournament.size(); ++i)
     for (std::size_t j = 0; j <= i; ++j)
@@ -104,17 +109,19 @@ void write_json_ranking(std::ostream& out, const Tournament& tournament) {
   for (const auto& entry : tournament.ranking()) {
     out << fmt::format(
         "{}    {{\"rank\": {}, \"name\": {}, \"total\": {}, \"mean\": {}, \"median\": {}, \"wins\": {}, "
-        "\"cooperation_rate\": {}, \"normalised\": {}, \"method\": \"{}\", \"confidence_95\": {}}}",
+        "\"cooperation_rate\": {}, \"normalised\": {}, \"method\": \"{}\", \"confidence_95\": {}, "
+        "\"belief_accuracy\": {}, \"total_against_roster\": {}}}",
         separator, entry.rank, json_string(tournament.name(entry.entrant)), exact(entry.total), entry.mean,
         entry.median, entry.wins, entry.cooperation_rate, json_number(entry.normalised), to_string(entry.method),
-        json_number(confidence(tournament, entry)));
+        json_number(confidence(tournament, entry)), json_number(entry.belief_accuracy),
+        exact(entry.total_against_roster));
     separator = ",\n";
   }
   out << "\n  ]";
 }
 
-/// How each figure was obtained, a string a row and a letter a cell: c(ycle), m(arkov), b(ounded), s(ampled), - not
-/// played.
+/// How each figure was obtained, a string a row and a letter a cell: c(ycle), p(layed), m(arkov), b(ounded), s(ampled),
+/// - not played.
 void write_json_methods(std::ostream& out, const Tournament& tournament) {
   out << ",\n  \"method_rows\": [";
   for (std::size_t i = 0; i < tournament.size(); ++i) {
@@ -145,6 +152,22 @@ void write_csv_matrix(std::ostream& out, const Tournament& tournament, Cell cell
   }
 }
 
+/// Whose guesses of whose moves were right, entrants with beliefs alone as rows; the last column is of all guesses.
+void write_beliefs_csv(std::ostream& out, const Tournament& tournament) {
+  out << "row\\col";
+  for (std::size_t j = 0; j < tournament.size(); ++j) out << ',' << csv_field(tournament.name(j));
+  out << ",all\n";
+  std::vector<std::optional<double>> all(tournament.size());
+  for (const auto& entry : tournament.ranking()) all[entry.entrant] = entry.belief_accuracy;
+  for (std::size_t i = 0; i < tournament.size(); ++i) {
+    if (!all[i]) continue;
+    out << csv_field(tournament.name(i));
+    for (std::size_t j = 0; j < tournament.size(); ++j)
+      out << ',' << (tournament.played(i, j) ? csv_number(tournament.belief_accuracy(i, j)) : "");
+    out << ',' << csv_number(all[i]) << '\n';
+  }
+}
+
 }  // namespace
 
 void write_text(std::ostream& out, const Tournament& tournament, const TournamentLabels& labels) {
@@ -154,39 +177,50 @@ void write_text(std::ostream& out, const Tournament& tournament, const Tournamen
   const bool with_error = sampled(tournament);
   std::vector<std::string> header{"rank", "strategy", "total"};
   if (with_error) header.emplace_back("95 %");
-  for (const char* name : {"mean", "median", "wins", "coop %", "normalised", "figures"}) header.emplace_back(name);
+  const bool with_guests = tournament.core() < tournament.size();
+  if (with_guests) header.emplace_back("v roster");
+  for (const char* name : {"mean", "median", "wins", "coop %", "normalised"}) header.emplace_back(name);
+  if (tournament.has_beliefs()) header.emplace_back("belief");
+  header.emplace_back("figures");
   Table table(header);
   for (const auto& entry : tournament.ranking()) {
-    const bool whole = entry.total == std::floor(entry.total);
     std::vector<std::string> row{fmt::format("{}", entry.rank), tournament.name(entry.entrant),
-                                 whole ? exact(entry.total) : fmt::format("{:.4f}", static_cast<double>(entry.total))};
+                                 total_text(entry.total)};
     if (with_error) {
       const auto half = confidence(tournament, entry);
       row.push_back(half ? fmt::format("±{:.4g}", *half) : "");
     }
+    if (with_guests) row.push_back(entry.entrant < tournament.core() ? "" : total_text(entry.total_against_roster));
     row.push_back(fmt::format("{:.4f}", entry.mean));
     row.push_back(fmt::format("{:.4f}", entry.median));
     row.push_back(fmt::format("{}", entry.wins));
     row.push_back(fmt::format("{:.2f}", 100 * entry.cooperation_rate));
     row.push_back(entry.normalised ? fmt::format("{:.2f}", *entry.normalised) : "-");
+    if (tournament.has_beliefs())
+      row.push_back(entry.belief_accuracy ? fmt::format("{:.2f} %", 100 * *entry.belief_accuracy) : "");
     row.emplace_back(to_string(entry.method));
     table.add(std::move(row));
   }
   out << table.text();
-  out << fmt::format(
-      "\nmean and median: payoff a round; normalised: 100 x payoff / the roster's mean against the same "
-      "opponent\nsignature {:016x}\n",
-      tournament.signature());
+  out << "\nmean and median: payoff a round; normalised: 100 x payoff / the roster's mean against the same opponent\n";
+  if (with_guests)
+    out << fmt::format("v roster: total of an included entrant against the {} of the roster alone\n",
+                       tournament.core());
+  if (tournament.has_beliefs()) out << "belief: how often the move that it held likelier was the other's move\n";
+  for (const auto& caveat : tournament.caveats()) out << "note: " << caveat << '\n';
+  out << fmt::format("signature {:016x}\n", tournament.signature());
 }
 
 void write_ranking_csv(std::ostream& out, const Tournament& tournament) {
-  out << "rank,strategy,total,mean,median,wins,cooperation_rate,normalised,method,confidence_95\n";
+  out << "rank,strategy,total,mean,median,wins,cooperation_rate,normalised,method,confidence_95,belief_accuracy,"
+         "total_against_roster\n";
   fmt::memory_buffer rows;
   for (const auto& entry : tournament.ranking())
-    fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{}\n", entry.rank,
+    fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{},{},{}\n", entry.rank,
                    csv_field(tournament.name(entry.entrant)), exact(entry.total), entry.mean, entry.median, entry.wins,
                    entry.cooperation_rate, csv_number(entry.normalised), to_string(entry.method),
-                   csv_number(confidence(tournament, entry)));
+                   csv_number(confidence(tournament, entry)), csv_number(entry.belief_accuracy),
+                   exact(entry.total_against_roster));
   out.write(rows.data(), static_cast<std::streamsize>(rows.size()));
 }
 
@@ -202,6 +236,9 @@ void write_json(std::ostream& out, const Tournament& tournament, const Tournamen
                      methods_of(tournament));
   out << fmt::format("  \"signature\": \"{:016x}\",\n  \"strategies\": [", tournament.signature());
   for (std::size_t i = 0; i < tournament.size(); ++i) out << (i > 0 ? ", " : "") << json_string(tournament.name(i));
+  out << "],\n  \"notes\": [";
+  const auto caveats = tournament.caveats();
+  for (std::size_t i = 0; i < caveats.size(); ++i) out << (i > 0 ? ", " : "") << json_string(caveats[i]);
   out << "],\n";
   write_json_ranking(out, tournament);
   if (with_matrices) {
@@ -214,6 +251,11 @@ void write_json(std::ostream& out, const Tournament& tournament, const Tournamen
     });
     write_json_matrix(out, tournament, "normalised",
                       [&](std::size_t i, std::size_t j) { return json_number(tournament.normalised(i, j)); });
+    if (tournament.has_beliefs())
+      write_json_matrix(out, tournament, "belief_accuracy",
+                        [&](std::size_t i, std::size_t j) { return json_number(tournament.belief_accuracy(i, j)); });
+    else
+      out << ",\n  \"belief_accuracy\": null";
   }
   out << "\n}\n";
 }
@@ -226,6 +268,8 @@ void write_files(const fs::path& folder, const Tournament& tournament, const Tou
   write_file(folder / "cooperation.csv", [&](std::ostream& out) {
     write_csv_matrix(out, tournament, [&](std::size_t i, std::size_t j) { return tournament.cooperation(i, j); });
   });
+  if (tournament.has_beliefs())
+    write_file(folder / "beliefs.csv", [&](std::ostream& out) { write_beliefs_csv(out, tournament); });
   write_file(folder / "summary.json", [&](std::ostream& out) { write_json(out, tournament, labels, false); });
 }
 

@@ -22,12 +22,12 @@ void write_text(std::ostream& out, const Tournament& tournament, const Tournamen
 /// The ranking alone.
 void write_ranking_csv(std::ostream& out, const Tournament& tournament);
 
-/// One object: settings, ranking and (with_matrices) scores, cooperations, normalised; matrices are written cell by
-/// cell.
+/// One object: settings, ranking and (with_matrices) scores, cooperations, normalised, belief_accuracy; matrices are
+/// written cell by cell.
 void write_json(std::ostream& out, const Tournament& tournament, const TournamentLabels& labels, bool with_matrices);
 
-/// ranking.csv, scores.csv, cooperation.csv and summary.json in `folder`, each written whole or not at all.
-/// Throws EnvironmentError when the folder cannot be made or written.
+/// ranking.csv, scores.csv, cooperation.csv, summary.json and, where somebody holds beliefs, beliefs.csv in `folder`,
+/// each written whole or not at all. Throws EnvironmentError when the folder cannot be made or written.
 void write_files(const std::filesystem::path& folder, const Tournament& tournament, const TournamentLabels& labels);
 
 /// payoffs, cooperation and scores pictures in `folder`; `extension` is svg or png.

@@ -9,7 +9,7 @@ import unittest
 from pathlib import Path
 
 BIN = Path(os.environ["FOLK_BIN"])
-PROGRAMS = ("ipd-tournament", "ipd-match", "ipd-strategies", "strategy-graph")
+PROGRAMS = ("ipd-tournament", "ipd-match", "ipd-strategies", "strategy-graph", "sct-train")
 
 # What each program needs to run at all, so that one wrong thing more is the only wrong thing.
 ENOUGH = {
@@ -17,6 +17,8 @@ ENOUGH = {
     "ipd-match": ("all_c", "all_d"),
     "ipd-strategies": ("list",),
     "strategy-graph": ("pavlov", "-o", "/dev/null"),
+    "sct-train": ("--hidden", "8", "--layers", "1", "--steps", "1", "--roster", "all_c,all_d", "--rounds", "5",
+                  "--output", "/dev/null", "--quiet"),
 }
 
 

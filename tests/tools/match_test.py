@@ -113,8 +113,8 @@ class Results(unittest.TestCase):
 
     def test_csv_has_a_line_a_round(self):
         rows = list(csv.DictReader(io.StringIO(run("tit_for_tat", "all_d", "--rounds", "2", "--format", "csv").stdout)))
-        self.assertEqual(rows[0], {"round": "1", "move1": "C", "move2": "D", "score1": "0", "score2": "5"})
-        self.assertEqual(rows[1], {"round": "2", "move1": "D", "move2": "D", "score1": "1", "score2": "1"})
+        self.assertEqual(list(rows[0].values()), ["1", "C", "D", "0", "5", "", ""])
+        self.assertEqual(list(rows[1].values()), ["2", "D", "D", "1", "1", "", ""])
 
     def test_lines_fit_the_width(self):
         text = run("tit_for_tat", "mistrust", "--rounds", "100", "--width", "50").stdout
@@ -153,12 +153,15 @@ class Beliefs(unittest.TestCase):
         self.assertEqual(match["beliefs"], [[0.75] * 6, None])
         self.assertAlmostEqual(match["belief_accuracy"][0], 4 / 6)
         self.assertIsNone(match["belief_accuracy"][1])
+        self.assertEqual(match["notes"], [])
+        rows = csv.DictReader(io.StringIO(run("per_ccd", self.believer, "--rounds", "6", "--format", "csv").stdout))
+        self.assertEqual([(row["belief1"], row["belief2"]) for row in rows], [("", "0.75")] * 6)
 
     def test_wrong_beliefs_are_marked(self):
         text = run(self.believer, "per_ccd", "--rounds", "6").stdout
         line = next(line for line in text.splitlines() if line.startswith("  believes"))
         self.assertEqual(line.split()[1], "CCcCCc")
-        self.assertIn("66.7 %", text)
+        self.assertIn("66.67 %", text)
         self.assertNotIn("believes", run("all_c", "per_ccd").stdout)
 
 

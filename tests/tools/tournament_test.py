@@ -37,6 +37,10 @@ def result(*arguments):
     return json.loads(output(*arguments, "--format", "json"))
 
 
+def by_name(tournament):
+    return {entry["name"]: entry for entry in tournament["ranking"]}
+
+
 def table(path):
     with open(path, newline="") as file:
         return list(csv.reader(file))
@@ -202,6 +206,38 @@ class Results(unittest.TestCase):
         for entry in sampled["ranking"]:
             self.assertEqual(entry["method"], "sampled")
             self.assertGreater(entry["confidence_95"], 0)
+
+    def test_players_with_beliefs_are_judged(self):
+        roster = ("--strategies", "all_c,all_d,per_cd", "--rounds", "30")
+        tournament = result(*roster, "--include", "bayes(classics)")
+        self.assertEqual(tournament["methods"], {"cycle": 6, "played": 4})
+        self.assertEqual(tournament["method_rows"][3], "pppp")
+        self.assertEqual(tournament["belief_accuracy"][0], [None] * 4)
+        believer = by_name(tournament)["bayes(classics)"]
+        accuracies = tournament["belief_accuracy"][3]
+        self.assertAlmostEqual(believer["belief_accuracy"], sum(accuracies) / 4)
+        self.assertEqual((believer["method"], believer["confidence_95"]), ("played", None))
+        # What ipd-match shows of the same match.
+        match = subprocess.run(
+            [PROGRAM.with_name("ipd-match"), "bayes(classics)", "per_cd", "--rounds", "30", "--format", "json"],
+            capture_output=True, text=True, timeout=60, check=True,
+        )
+        self.assertEqual(json.loads(match.stdout)["belief_accuracy"][0], accuracies[2])
+        self.assertEqual(json.loads(match.stdout)["scores"][0], tournament["scores"][3][2])
+        text = output(*roster, "--include", "bayes(classics)")
+        self.assertRegex(text, rf"{100 * believer['belief_accuracy']:.2f} %  played\n")
+        self.assertNotIn("belief", output(*roster))
+
+    def test_guests_totals_against_the_roster(self):
+        tournament = result("--include", "grudger,mem01_cCD")
+        scores = tournament["scores"]
+        for entry in tournament["ranking"]:
+            i = tournament["strategies"].index(entry["name"])
+            self.assertEqual(entry["total_against_roster"], sum(scores[i][j] for j in range(17) if j != i))
+        guest = by_name(tournament)["mem01_cCD"]
+        self.assertRegex(output("--include", "grudger,mem01_cCD"),
+                         rf"mem01_cCD +{guest['total']} +{guest['total_against_roster']} ")
+        self.assertNotIn("v roster", output())
 
     def test_one_repetition_claims_no_confidence(self):
         for entry in result(*SAMPLED[:-1], "1")["ranking"]:
@@ -383,9 +419,20 @@ class Files(unittest.TestCase):
         self.assertEqual((self.folder / "ranking.csv").read_text(), output("--format", "csv"))
         summary = json.loads((self.folder / "summary.json").read_text())
         full = result()
-        for streamed in ("scores", "cooperations", "normalised", "method_rows"):
+        self.assertIsNone(full["belief_accuracy"])
+        for streamed in ("scores", "cooperations", "normalised", "method_rows", "belief_accuracy"):
             del full[streamed]
         self.assertEqual(summary, full)
+
+    def test_beliefs_have_a_file_of_their_own(self):
+        arguments = ("--strategies", "all_d,per_cd", "--include", "bayes(classics)", "--rounds", "40")
+        output(*arguments, "--output", str(self.folder))
+        full = result(*arguments)
+        header, *rows = table(self.folder / "beliefs.csv")
+        self.assertEqual(header[1:], full["strategies"] + ["all"])
+        self.assertEqual([row[0] for row in rows], ["bayes(classics)"])
+        self.assertEqual([float(cell) for cell in rows[0][1:-1]], full["belief_accuracy"][2])
+        self.assertEqual(float(rows[0][-1]), by_name(full)["bayes(classics)"]["belief_accuracy"])
 
     def test_what_was_not_played_is_empty(self):
         output("--strategies", "all_c,all_d", "--no-self-play", "--rounds", "2", "--output", str(self.folder))

@@ -1,0 +1,455 @@
+"""sct-train as its user sees it: a run that is killed and resumed ends in the same bytes, checkpoints, config files,
+refusals, output, and the names of policies in the other programs. FOLK_BIN names the folder of the programs."""
+
+import csv
+import io
+import json
+import os
+import random
+import resource
+import shutil
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+BIN = Path(os.environ["FOLK_BIN"])
+PROGRAM = BIN / "sct-train"
+
+# A network and a roster so small that a run takes a second.
+SMALL = ("--hidden", "8", "--layers", "1", "--batch", "8", "--learning-rate", "0.01", "--warmup", "5", "--averaging", "0.9",
+         "--roster", "tit_for_tat,all_d,pavlov,spiteful", "--rounds", "30", "--targets", "70,90",
+         "--validation-repetitions", "2")
+RUN = (*SMALL, "--steps", "150", "--evaluate-every", "40", "--checkpoint-every", "7")
+
+
+class Training(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def run_program(self, *arguments, program="sct-train", **how):
+        how = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **how}
+        return subprocess.run([BIN / program, *map(str, arguments)], text=True, timeout=120, cwd=self.folder, **how)
+
+    def start(self, *arguments):
+        """A run that goes on beside the test."""
+        process = subprocess.Popen([PROGRAM, *map(str, arguments)], cwd=self.folder, text=True,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        return process
+
+    def trained(self, *arguments):
+        done = self.run_program(*arguments, "--quiet")
+        self.assertEqual(done.returncode, 0, done)
+        self.assertEqual(done.stderr, "")
+        return done.stdout
+
+    def policy(self, name="policy.bin"):
+        return (self.folder / name).read_bytes()
+
+    def refused(self, code, *arguments, says=(), program="sct-train"):
+        """One line on stderr that names the program and holds `says`, nothing on stdout, the exit code."""
+        done = self.run_program(*arguments, program=program)
+        self.assertEqual(done.returncode, code, done)
+        self.assertEqual(done.stdout, "", done)
+        lines = done.stderr.splitlines()
+        self.assertEqual(len(lines), 1, done)
+        self.assertTrue(lines[0].startswith(f"{program}: "), lines[0])
+        self.assertTrue(lines[0].isprintable(), lines[0])
+        for word in (says,) if isinstance(says, str) else says:
+            self.assertIn(word, lines[0])
+
+    def file(self, name, text):
+        (self.folder / name).write_text(text)
+        return name
+
+    def wait_for_checkpoint(self, process, folder, other_than=()):
+        """Until the run has written a checkpoint beside `other_than`."""
+        while process.poll() is None:
+            found = {path.name for path in folder.glob("step-*.checkpoint")} if folder.is_dir() else set()
+            if found - set(other_than):
+                return
+            time.sleep(0.002)
+
+
+class Resuming(Training):
+    def killed_and_resumed(self, threads):
+        self.trained(*RUN, "--output", "whole.bin")
+        whole = self.policy("whole.bin")
+        moments = random.Random(threads)
+        command = (*RUN, "--checkpoint", "run", "--resume", "--threads", threads)
+        kills = 0
+        for attempt in range(100):
+            process = self.start(*command)
+            # Where in the work it dies differs from time to time: in a step, an evaluation, in the middle of a write.
+            time.sleep(moments.uniform(0.0, 0.25))
+            process.kill()
+            kills += process.wait() == -signal.SIGKILL
+            if kills >= 6 or process.returncode == 0:
+                break
+        self.assertGreater(kills, 0)
+        done = self.run_program(*command)
+        self.assertEqual(done.returncode, 0, done)
+        self.assertEqual(self.policy(), whole)
+        self.assertLessEqual(len(list((self.folder / "run").glob("step-*"))), 2)
+
+    def test_killed_and_resumed_ends_in_the_same_bytes(self):
+        self.killed_and_resumed(1)
+
+    def test_killed_and_resumed_ends_in_the_same_bytes_with_two_threads(self):
+        self.killed_and_resumed(2)
+
+    def test_with_a_teacher(self):
+        run = (*SMALL, "--data", "best-reply", "--aggregate-every", "8", "--steps", "60", "--evaluate-every", "25",
+               "--checkpoint-every", "5", "--format", "json")
+        whole = json.loads(self.trained(*run, "--output", "whole.bin"))
+        self.assertEqual(whole["added_matches"], 7 * 4 * 5)
+        self.assertIn(b'"data":"best-reply"', self.policy("whole.bin"))
+        run = (*run, "--checkpoint", "run", "--resume")
+        process = self.start(*run)
+        self.wait_for_checkpoint(process, self.folder / "run", {f"step-{step}.checkpoint" for step in range(20)})
+        process.kill()
+        process.wait()
+        self.assertEqual({**json.loads(self.trained(*run)), "output": "whole.bin"}, whole)
+        self.assertEqual(self.policy(), self.policy("whole.bin"))
+
+    def interrupted(self, number):
+        process = self.start(*SMALL, "--steps", "1000000", "--evaluate-every", "1000000", "--checkpoint-every", "50",
+                             "--checkpoint", "run")
+        self.wait_for_checkpoint(process, self.folder / "run")
+        process.send_signal(number)
+        out, err = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 4, err)
+        self.assertEqual(out, "")
+        last = err.splitlines()[-1]
+        self.assertRegex(last, r"^sct-train: interrupted after step \d+; the same command with --resume goes on")
+        step = int(last.split("step ")[1].split(";")[0])
+        self.assertTrue((self.folder / "run" / f"step-{step}.checkpoint").is_file())
+        self.assertFalse((self.folder / "policy.bin").exists())
+        return step
+
+    def test_sigint_ends_with_a_checkpoint(self):
+        step = self.interrupted(signal.SIGINT)
+        # The steps may be fewer than were planned, as long as they are not behind the checkpoint.
+        done = self.run_program(*SMALL, "--steps", step + 10, "--evaluate-every", "1000000", "--checkpoint", "run",
+                                "--resume")
+        self.assertEqual(done.returncode, 0, done)
+        self.assertIn(f"sct-train: resumed at step {step}", done.stderr)
+        self.trained(*SMALL, "--steps", step + 10, "--evaluate-every", "1000000", "--output", "whole.bin")
+        self.assertEqual(self.policy(), self.policy("whole.bin"))
+
+    def test_sigterm_ends_with_a_checkpoint(self):
+        self.interrupted(signal.SIGTERM)
+
+    def test_interrupted_without_a_checkpoint_folder(self):
+        process = self.start(*SMALL, "--steps", "1000000", "--evaluate-every", "1")
+        process.stderr.readline()  # of the first evaluation
+        process.send_signal(signal.SIGINT)
+        _, err = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 4)
+        self.assertIn("nothing is kept without --checkpoint DIR", err.splitlines()[-1])
+
+    def test_a_finished_run_can_be_resumed_and_made_longer(self):
+        short = (*SMALL, "--evaluate-every", "10", "--checkpoint", "run", "--steps")
+        self.trained(*short, "25")
+        first = self.policy()
+        self.assertEqual(self.trained(*short, "25", "--resume"), self.trained(*short, "25", "--resume"))
+        self.assertEqual(self.policy(), first)
+        self.trained(*short, "45", "--resume")
+        self.trained(*SMALL, "--evaluate-every", "10", "--steps", "45", "--output", "whole.bin")
+        self.assertEqual(self.policy(), self.policy("whole.bin"))
+
+    def test_a_damaged_checkpoint_gives_way_to_the_one_before(self):
+        self.trained(*RUN, "--checkpoint", "run")
+        first = self.policy()
+        newest = self.folder / "run" / "step-150.checkpoint"
+        newest.write_bytes(newest.read_bytes()[:-100])
+        done = self.run_program(*RUN, "--checkpoint", "run", "--resume")
+        self.assertEqual(done.returncode, 0, done)
+        self.assertIn("step-150.checkpoint: damaged checkpoint", done.stderr)
+        self.assertIn("resumed at step 147", done.stderr)
+        self.assertEqual(self.policy(), first)
+
+    def test_only_damaged_checkpoints(self):
+        (self.folder / "run").mkdir()
+        (self.folder / "run" / "step-10.checkpoint").write_bytes(b"FOLKCKPT")
+        self.refused(3, *RUN, "--checkpoint", "run", "--resume", says="step-10.checkpoint: no checkpoint of sct-train")
+
+    def test_a_checkpoint_of_another_run(self):
+        self.trained(*RUN, "--checkpoint", "run")
+        resume = (*RUN, "--checkpoint", "run", "--resume")
+        self.refused(2, *resume, "--dropout", "0.2", says="dropout = 0.1 there, 0.2 here")
+        self.refused(2, *resume, "--decay", "yes", says="decay = 0 there, 150 here")
+        self.refused(2, *(("149" if word == "150" else word) for word in resume), says="step 150, beyond the last, 149")
+        self.refused(2, *RUN, "--checkpoint", "run", says="give --resume to go on with it")
+
+    def test_resuming_needs_a_folder(self):
+        self.refused(2, *RUN, "--resume", says="--checkpoint DIR")
+
+    def test_two_runs_in_one_folder(self):
+        process = self.start(*SMALL, "--steps", "1000000", "--evaluate-every", "1000000", "--checkpoint", "run")
+        self.wait_for_checkpoint(process, self.folder / "run")
+        self.refused(4, *RUN, "--checkpoint", "run", "--resume", says="another run is using it")
+
+    def test_a_full_disk_loses_nothing(self):
+        """A limit on the size of files stands for a full disk: both fail in the middle of a write."""
+        self.trained(*RUN, "--checkpoint", "run", "--output", "whole.bin")
+        shutil.copytree(self.folder / "run", self.folder / "before")
+
+        def limit():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
+
+        longer = [("170" if word == "150" else word) for word in RUN]
+        done = self.run_program(*longer, "--checkpoint", "run", "--resume", "--quiet", preexec_fn=limit)
+        self.assertEqual(done.returncode, 4, done)
+        self.assertRegex(done.stderr, r"^sct-train: run/step-154.checkpoint: cannot be written: .*\n$")
+        for path in (self.folder / "before").iterdir():
+            self.assertEqual((self.folder / "run" / path.name).read_bytes(), path.read_bytes())
+        self.assertEqual(len(list((self.folder / "run").iterdir())), 3)
+        done = self.run_program(*RUN, "--checkpoint", "run", "--resume", "--output", "whole.bin", preexec_fn=limit)
+        self.assertEqual(done.returncode, 4, done)
+        self.trained(*longer, "--checkpoint", "run", "--resume")
+
+
+class Configuring(Training):
+    def test_options_win_over_the_file(self):
+        config = self.file("run.conf", "# small\nhidden = 8\n layers=1 # one block\n\nsteps = 30\nlearning-rate = 0.01\r\n"
+                           "roster = tit_for_tat,all_d\nrounds = 10\nwarmup = 0\n")
+        told = json.loads(self.trained("--config", config, "--steps", "5", "--format", "json"))["config"]
+        self.assertEqual(told["hidden"], "8")
+        self.assertEqual(told["layers"], "1")
+        self.assertEqual(told["steps"], "5")
+        self.assertEqual(told["learning-rate"], "0.01")
+        self.assertEqual(told["targets"], "26:36:2")
+        self.assertEqual(told["context"], "20")
+
+    def test_the_defaults_are_the_papers(self):
+        """What a run tells is what it was given, but for these."""
+        told = json.loads(self.trained(*SMALL, "--steps", "2", "--format", "json"))["config"]
+        expected = {"data": "tournament", "heads": "1", "context": "20", "weight-decay": "0.0001", "clip": "0.25",
+                    "dropout": "0.1", "early": "0.4", "loss": "teacher", "payoffs": "T=5,R=3,P=1,S=0"}
+        self.assertEqual({key: told[key] for key in expected}, expected)
+        text = self.run_program("--help").stdout
+        for key, default in (("hidden", 128), ("layers", 3), ("batch", 64), ("learning-rate", 0.0001),
+                             ("warmup", 10000)):
+            self.assertRegex(text, rf"--{key} arg[^-]*\(default\s+{default}\)")
+
+    def test_the_told_config_gives_the_same_policy(self):
+        told = json.loads(self.trained(*SMALL, "--steps", "12", "--format", "json"))["config"]
+        self.file("again.conf", "".join(f"{key} = {value}\n" for key, value in told.items()))
+        self.trained("--config", "again.conf", "--output", "again.bin")
+        self.assertEqual(self.policy(), self.policy("again.bin"))
+
+    def test_bad_lines_are_named(self):
+        for line, says in (("hiden = 8", "unknown key 'hiden'"), ("hidden 8", "expected key = value"),
+                           ("hidden = x", "hidden 'x': expected a whole number from 1 to 8192"),
+                           ("steps = 0", "steps '0'"), ("dropout = 1", "dropout '1'"), ("early = nan", "early 'nan'"),
+                           ("loss = best", "expected teacher, selfconf, rmadt or madt"),
+                           ("decay = maybe", "expected yes, no or a number of steps"),
+                           ("targets = 3:2:1", "FROM:TO:BY"), ("targets = 0:1000:1", "more than 100"),
+                           ("targets = 1,x", "'x'"), ("payoffs = T=1,R=2,P=3,S=4", "T > R > P > S"),
+                           ("layers = 1\nlayers = 1", "given twice"), ("data =", "expected a value"),
+                           ("output = x", "unknown key 'output'")):
+            with self.subTest(line=line):
+                config = self.file("bad.conf", "\n# comment\n" + line + "\n")
+                number = 2 + len(line.splitlines())
+                self.refused(3, "--config", config, says=(f"bad.conf:{number}: ", says))
+
+    def test_files_that_are_none(self):
+        self.refused(3, "--config", "missing.conf", says="missing.conf: no such file")
+        self.refused(3, "--config", ".", says="is a directory")
+
+    def test_bad_options(self):
+        for arguments, says in ((("--hidden", "0"), "--hidden '0'"), (("--steps", "1e3"), "--steps '1e3'"),
+                                (("--heads", "3"), "not divided by heads"), (("--roster", "tit_for_tut"), "tit_for_tat"),
+                                (("--payoffs", "T=4,R=3,P=1,S=0"), "Give targets"), (("--threads", "0"), "--threads"),
+                                (("--validation-seed", "1"), "numbers of their own"), (("--frobnicate",), "frobnicate"),
+                                (("--data", "best-reply", "--roster", "random(0.5)"), "random(0.5) mixes"),
+                                (("--data", "best-reply", "--roster", 'exec:"cat"'), "opaque player"),
+                                (("--data", "folder", "--aggregate-every", "5"), "data = tournament or best-reply"),
+                                (("extra",), "unexpected argument 'extra'"), (("--format", "xml"), "--format"),
+                                (("--learning-rate", "-1"), "--learning-rate '-1'")):
+            with self.subTest(arguments=arguments):
+                self.refused(2, *arguments, says=says)
+
+    def test_outputs_that_cannot_be_written_are_refused_before_the_work(self):
+        self.refused(4, "--output", "missing/policy.bin", says="no such folder")
+        self.refused(4, "--output", ".", says="it is a directory")
+        self.file("file", "")
+        self.refused(4, *SMALL, "--checkpoint", "file", says="name another")
+
+    def test_training_that_diverges_says_so(self):
+        self.refused(2, "--hidden", "8", "--layers", "1", "--learning-rate", "1", "--weight-decay", "1000", "--warmup", "0",
+                     "--steps", "400", "--evaluate-every", "1000", "--rounds", "10", says="training has diverged")
+
+
+class Data(Training):
+    def arrays(self, rewards=(3, 0)):
+        """Two matches of two rounds: C C against C D."""
+        header = b"\x93NUMPY\x01\x00" + (118).to_bytes(2, "little")
+
+        def array(name, values):
+            text = b"{'descr': '|i1', 'fortran_order': False, 'shape': (2, 2), }"
+            (self.folder / "data" / name).write_bytes(header + text.ljust(117) + b"\n" + bytes(values))
+
+        (self.folder / "data").mkdir(exist_ok=True)
+        array("actions.npy", (0, 0, 0, 0))
+        array("opponent_actions.npy", (0, 1, 0, 1))
+        array("rewards.npy", rewards * 2)
+
+    def test_a_folder(self):
+        self.arrays()
+        told = json.loads(self.trained("--data", "data/", "--hidden", "8", "--layers", "1", "--steps", "3", "--warmup", "0",
+                                       "--format", "json"))
+        self.assertEqual(told["matches"], 2)
+        self.assertEqual(told["config"]["rounds"], "2")
+        self.assertIn(b'"data":"data"', self.policy())
+        self.refused(2, "--data", "data", "--rounds", "3", says="have 2: leave rounds out")
+
+    def test_bad_folders(self):
+        self.refused(3, "--data", "nowhere", says="nowhere")
+        self.arrays(rewards=(3, 1))
+        self.refused(3, "--data", "data", says=("the reward at [0, 1] is 1", "pays 0"))
+
+
+class Output(Training):
+    def test_json(self):
+        told = json.loads(self.trained(*SMALL, "--steps", "50", "--evaluate-every", "20", "--format", "json"))
+        self.assertEqual([entry["step"] for entry in told["evaluations"]], [20, 40, 50])
+        for entry in told["evaluations"]:
+            self.assertEqual([score["target"] for score in entry["targets"]], [70, 90])
+            self.assertEqual(entry["best"], max(entry["targets"], key=lambda score: score["total"]))
+            self.assertGreater(entry["belief_loss"], 0)
+            self.assertGreater(entry["action_loss"], 0)
+        kept = told["kept"]
+        best = max(told["evaluations"], key=lambda entry: entry["best"]["total"])
+        self.assertEqual((kept["step"], kept["target"]), (best["step"], best["best"]["target"]))
+        self.assertEqual(kept["validation_total"], best["best"]["total"])
+        self.assertEqual([entry["name"] for entry in kept["opponents"]], ["tit_for_tat", "all_d", "pavlov", "spiteful"])
+        self.assertEqual(kept["total"], sum(entry["score"] for entry in kept["opponents"]))
+        self.assertEqual(told["output"], "policy.bin")
+        # What it says of its policy is what the tournament says.
+        roster = ("--strategies", "tit_for_tat,all_d,pavlov,spiteful", "--rounds", "30", "--include", "sct:policy.bin")
+        done = self.run_program(*roster, "--format", "json", program="ipd-tournament")
+        tournament = json.loads(done.stdout)
+        entry = next(entry for entry in tournament["ranking"] if entry["name"] == "sct:policy.bin")
+        self.assertEqual(entry["total_against_roster"], kept["total"])
+        accuracies = tournament["belief_accuracy"][4][:4]
+        self.assertAlmostEqual(sum(accuracies) / 4, kept["belief_accuracy"], places=12)
+
+    def test_csv(self):
+        text = self.trained(*SMALL, "--steps", "50", "--evaluate-every", "20", "--format", "csv")
+        rows = list(csv.DictReader(io.StringIO(text)))
+        self.assertEqual([row["step"] for row in rows], ["20", "40", "50"])
+        self.assertEqual(sum(row["kept"] == "yes" for row in rows), 1)
+
+    def test_text_and_progress(self):
+        done = self.run_program(*SMALL, "--steps", "20", "--evaluate-every", "10")
+        self.assertEqual(done.returncode, 0, done)
+        self.assertIn("written to policy.bin", done.stdout)
+        lines = done.stderr.splitlines()
+        self.assertEqual(len(lines), 2, lines)
+        self.assertRegex(lines[0], r"^step 10 of 20: belief loss 0\.\d+, action loss 0\.\d+; asked for \d+ it earns .* left$")
+        self.assertIn("tokens/s", lines[1])
+
+    def test_losses(self):
+        """The ablations: which of them have beliefs."""
+        for loss, believes in (("teacher", True), ("selfconf", True), ("rmadt", True), ("madt", False)):
+            with self.subTest(loss=loss):
+                told = json.loads(self.trained(*SMALL, "--steps", "5", "--loss", loss, "--format", "json"))
+                self.assertEqual(told["kept"]["belief_accuracy"] is not None, believes)
+                layout = b"return observation belief action" if loss != "madt" else b"return observation action"
+                self.assertIn(layout, self.policy())
+
+    def test_an_older_policy_is_replaced_at_the_end_only(self):
+        self.file("policy.bin", "older")
+        process = self.start(*SMALL, "--steps", "1000000", "--evaluate-every", "5")
+        process.stderr.readline()
+        self.assertEqual(self.policy(), b"older")
+        process.kill()
+        process.wait()
+        self.assertEqual(self.policy(), b"older")
+        self.trained(*SMALL, "--steps", "5")
+        self.assertNotEqual(self.policy(), b"older")
+
+    def test_the_seed_decides(self):
+        run = (*SMALL, "--steps", "10", "--output")
+        for name, seed in (("a.bin", "1"), ("b.bin", "1"), ("c.bin", "2")):
+            self.trained(*run, name, "--seed", seed)
+        self.assertEqual(self.policy("a.bin"), self.policy("b.bin"))
+        self.assertNotEqual(self.policy("a.bin"), self.policy("c.bin"))
+
+
+class Names(Training):
+    def setUp(self):
+        super().setUp()
+        self.trained(*SMALL, "--steps", "20")
+
+    def data(self, name="sct"):
+        """An environment in which the policy is a shipped one."""
+        (self.folder / "data" / "policies").mkdir(parents=True)
+        shutil.copy(self.folder / "policy.bin", self.folder / "data" / "policies" / f"{name}.bin")
+        return {**os.environ, "FOLK_DATA": str(self.folder / "data")}
+
+    def test_shipped_names(self):
+        for name in ("sct", "sct-bayes"):
+            environment = self.data(name)
+            done = self.run_program("SCT_Bayes" if name == "sct-bayes" else "SCT", "pavlov", "--rounds", "30", "--format",
+                                    "json", program="ipd-match", env=environment)
+            self.assertEqual(done.returncode, 0, done)
+            self.assertEqual(json.loads(done.stdout)["players"][0], name)
+            shutil.rmtree(self.folder / "data")
+
+    def test_shipped_names_without_their_files(self):
+        (self.folder / "empty").mkdir()
+        environment = {**os.environ, "FOLK_DATA": str(self.folder / "empty")}
+        done = self.run_program("--include", "sct", program="ipd-tournament", env=environment)
+        self.assertEqual(done.returncode, 3, done)
+        self.assertRegex(done.stderr, r"^ipd-tournament: sct: there is no .*empty/policies/sct.bin; .* FOLK_DATA .*\n$")
+        done = self.run_program("list", program="ipd-strategies", env=environment)
+        self.assertEqual(done.returncode, 0, done)
+        for name in ("sct:FILE", "\nsct ", "\nsct-bayes "):
+            self.assertIn(name, done.stdout)
+
+    def test_files(self):
+        shutil.copy(self.folder / "policy.bin", self.folder / "Policy.bin")
+        both = "sct:policy.bin,sct:Policy.bin"  # paths are told apart by their letters
+        done = self.run_program("--include", both, "--rounds", "30", "--format", "json", program="ipd-tournament")
+        self.assertEqual(done.returncode, 0, done)
+        self.assertIn("sct:Policy.bin", json.loads(done.stdout)["strategies"])
+        twice = ("--include", "sct:policy.bin,sct:policy.bin")
+        self.refused(2, *twice, program="ipd-tournament", says="given twice")
+        self.refused(3, "--include", "sct:missing.bin", program="ipd-tournament", says="missing.bin: no such file")
+        self.refused(2, "--include", "sct:", program="ipd-tournament", says="sct:policy.bin")
+        self.file("bad.bin", "no policy")
+        self.refused(3, "sct:bad.bin", "all_d", program="ipd-match", says="bad.bin: ")
+        self.refused(2, "sct:policy.bin", "-o", "x.svg", program="strategy-graph", says="opaque player")
+
+    def test_beyond_its_training(self):
+        longer = ("sct:policy.bin", "pavlov", "--rounds", "31")
+        self.refused(2, *longer, program="ipd-match", says="--extrapolate")
+        done = self.run_program(*longer, "--extrapolate", program="ipd-match")
+        self.assertEqual(done.returncode, 0, done)
+        self.assertIn("extrapolates", done.stdout)
+        self.refused(2, "--include", "sct:policy.bin", program="ipd-tournament", says="--extrapolate")
+        done = self.run_program("--include", "sct:policy.bin", "--extrapolate", program="ipd-tournament")
+        self.assertEqual(done.returncode, 0, done)
+        self.assertIn("extrapolates", done.stdout)
+
+    def test_sampled_moves(self):
+        match = ("sct:policy.bin", "all_d", "--rounds", "30", "--format", "csv")
+        moves = [self.run_program(*match, *more, program="ipd-match").stdout
+                 for more in ((), ("--seed", "2"), ("--sample",), ("--sample", "--seed", "1"), ("--sample", "--seed", "2"))]
+        self.assertEqual(moves[0], moves[1])
+        self.assertEqual(moves[2], moves[3])
+        self.assertNotEqual(moves[2], moves[4])
+
+
+if __name__ == "__main__":
+    unittest.main()
