@@ -116,8 +116,7 @@ public:
     continuation_ = match.criterion.continuation();
     endless_ = !match.criterion.is_finite();
     left_ = endless_ ? 0 : match.criterion.rounds();
-    const auto payoffs = match.payoffs.by_outcome();
-    for (std::size_t o = 0; o < 4; ++o) payoffs_[o] = to_double(payoffs[o]);
+    payoffs_ = match.payoffs.numbers();
   }
 
   Move move() override {

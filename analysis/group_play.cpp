@@ -176,9 +176,7 @@ std::vector<PairResult> play_group(const std::vector<Contest>& contests, const S
     check_length(contest, sampling);
     matches_in_all += static_cast<double>(repetitions(contest, sampling));
   }
-  std::array<double, 4> payoffs{};
-  const auto by_outcome = sampling.payoffs.by_outcome();
-  std::transform(by_outcome.begin(), by_outcome.end(), payoffs.begin(), [](const Rational& u) { return to_double(u); });
+  const auto payoffs = sampling.payoffs.numbers();
 
   std::vector<Tally> tallies(contests.size());
   std::vector<std::unique_ptr<PlayedMatch>> tables;

@@ -22,6 +22,11 @@ struct Payoffs {
   /// By outcome index (games/move.h): CC = R, CD = S, DC = T, DD = P.
   std::array<Rational, 4> by_outcome() const { return {reward, sucker, temptation, punishment}; }
 
+  /// The same as the nearest doubles.
+  std::array<double, 4> numbers() const {
+    return {to_double(reward), to_double(sucker), to_double(temptation), to_double(punishment)};
+  }
+
   bool operator==(const Payoffs&) const = default;
 };
 

@@ -3,8 +3,10 @@
 
 #include <Random123/philox.h>
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 
 namespace folk {
 
@@ -34,6 +36,12 @@ public:
 
   /// Uniform in [0, 1), 53 bits.
   double uniform() { return static_cast<double>((*this)() >> 11U) * 0x1p-53; }
+
+  /// Standard normal (Box & Muller 1958), the second of a pair thrown away.
+  double normal() {
+    const double radius = std::sqrt(-2 * std::log1p(-uniform()));
+    return radius * std::cos(2 * std::numbers::pi * uniform());
+  }
 
   /// True with probability p.
   bool chance(double p) { return uniform() < p; }

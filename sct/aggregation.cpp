@@ -11,13 +11,6 @@
 namespace folk::sct {
 namespace {
 
-std::array<double, 4> as_doubles(const Payoffs& payoffs) {
-  std::array<double, 4> numbers{};
-  const auto by_outcome = payoffs.by_outcome();
-  for (std::size_t o = 0; o < 4; ++o) numbers[o] = to_double(by_outcome[o]);
-  return numbers;
-}
-
 /// A match that is being recorded.
 struct Seat {
   std::unique_ptr<Player> player;
@@ -31,7 +24,7 @@ BayesTeacher::BayesTeacher(const std::vector<Strategy>& roster, const Payoffs& p
                            double target)
     : reply_(roster, payoffs, rounds),
       target_(target) {
-  const auto numbers = as_doubles(payoffs);
+  const auto numbers = payoffs.numbers();
   for (std::size_t o = 0; o < 4; ++o) rewards_[o] = static_cast<float>(numbers[o]);
 }
 
@@ -57,7 +50,7 @@ std::vector<Trajectory> play_and_record(const Strategy& player, const std::vecto
                                         const Payoffs& payoffs, std::uint64_t rounds, double slip,
                                         std::uint64_t repetitions, std::uint64_t seed, unsigned threads) {
   constexpr std::uint64_t slip_role = 2;
-  const auto rewards = as_doubles(payoffs);
+  const auto rewards = payoffs.numbers();
   std::vector<Seat> seats;
   std::vector<Trajectory> data;
   std::vector<Player*> players;
@@ -85,7 +78,7 @@ std::vector<Trajectory> play_and_record(const Strategy& player, const std::vecto
 
 std::vector<Trajectory> best_reply_data(const std::vector<Strategy>& roster, const Payoffs& payoffs,
                                         std::uint64_t rounds) {
-  const auto rewards = as_doubles(payoffs);
+  const auto rewards = payoffs.numbers();
   std::vector<Trajectory> data;
   for (const auto& member : roster) {
     const auto moves = FiniteBestReply(*member.machine, payoffs, rounds).moves();

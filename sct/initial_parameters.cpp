@@ -2,19 +2,9 @@
 #include <folk/sct/initial_parameters.h>
 
 #include <cmath>
-#include <numbers>
 #include <string_view>
 
 namespace folk::sct {
-namespace {
-
-/// Box & Muller (1958); the same bits wherever the mathematics library's are.
-double normal(RandomStream& random) {
-  const double radius = std::sqrt(-2 * std::log1p(-random.uniform()));
-  return radius * std::cos(2 * std::numbers::pi * random.uniform());
-}
-
-}  // namespace
 
 std::vector<float> initial_parameters(const Architecture& architecture, std::uint64_t seed) {
   const ParameterLayout layout(architecture);
@@ -36,9 +26,9 @@ std::vector<float> initial_parameters(const Architecture& architecture, std::uin
       if (tensor.shape.size() == 1 && (block || name.starts_with("ln_f") || name.starts_with("embed_ln")))
         value = weight ? 1 : 0;
       else if (block)
-        value = 0.02 * normal(random);
+        value = 0.02 * random.normal();
       else if (table)
-        value = normal(random);
+        value = random.normal();
       else
         value = width * (2 * random.uniform() - 1);
       parameters[tensor.offset + k] = static_cast<float>(value);

@@ -20,14 +20,14 @@ std::vector<RosterScore> play_roster(const std::vector<Strategy>& strategies, co
       contests.push_back({&strategy, &opponent, contests.size(),
                           sampling.noise == 0 && deterministic(strategy) && deterministic(opponent)});
   const auto results = play_group(contests, sampling);
-  const auto payoffs = sampling.payoffs.by_outcome();
+  const auto payoffs = sampling.payoffs.numbers();
   std::vector<RosterScore> scores(strategies.size());
   for (std::size_t s = 0; s < strategies.size(); ++s) {
     Guesses guesses;
     for (std::size_t i = 0; i < roster.size(); ++i) {
       const auto& result = results[s * roster.size() + i];
       double score = 0;
-      for (std::size_t o = 0; o < 4; ++o) score += to_double(payoffs[o]) * result.weights[o];
+      for (std::size_t o = 0; o < 4; ++o) score += payoffs[o] * result.weights[o];
       scores[s].scores.push_back(score);
       scores[s].total += score;
       guesses += result.first_guesses;

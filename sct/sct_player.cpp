@@ -20,7 +20,7 @@ public:
   void start(const MatchStart& match) override {
     const auto& training = mind_->policy.training;
     if (!options_.extrapolate) refuse_unknown(match);
-    for (std::size_t o = 0; o < 4; ++o) rewards_[o] = to_double(match.payoffs.by_outcome()[o]);
+    rewards_ = match.payoffs.numbers();
     double target = options_.target.value_or(training.return_target);
     if (match.criterion.is_finite() && match.criterion.rounds() < training.rounds)
       target *= static_cast<double>(match.criterion.rounds()) / static_cast<double>(training.rounds);

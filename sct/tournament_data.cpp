@@ -5,8 +5,7 @@ namespace folk::sct {
 
 std::vector<Trajectory> tournament_data(const std::vector<Strategy>& roster, const Payoffs& payoffs,
                                         std::uint64_t rounds, std::uint64_t repetitions, std::uint64_t seed) {
-  std::array<double, 4> rewards{};
-  for (std::size_t o = 0; o < 4; ++o) rewards[o] = to_double(payoffs.by_outcome()[o]);
+  const auto rewards = payoffs.numbers();
   std::vector<Trajectory> data;
   for (std::size_t i = 0; i < roster.size(); ++i)
     for (std::size_t j = i; j < roster.size(); ++j)

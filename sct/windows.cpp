@@ -2,16 +2,9 @@
 #include <folk/sct/windows.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace folk::sct {
 namespace {
-
-double normal(RandomStream& random) {
-  const double radius = std::sqrt(-2 * std::log1p(-random.uniform()));
-  return radius * std::cos(2 * std::numbers::pi * random.uniform());
-}
 
 std::size_t below(std::size_t bound, RandomStream& random) {
   return static_cast<std::size_t>(random.uniform() * static_cast<double>(bound));
@@ -56,7 +49,7 @@ Batch<float> draw_windows(const std::vector<Lesson>& lessons, const WindowSettin
     const bool early = random.chance(settings.early);
     const std::size_t anywhere = below(lesson.rounds() - length + 1, random);
     const std::size_t start = early ? 0 : anywhere;
-    const auto shift = static_cast<float>(settings.return_jitter * normal(random));
+    const auto shift = static_cast<float>(settings.return_jitter * random.normal());
     for (std::size_t t = start; t < start + length; ++t)
       add_round(lesson, t, shift, static_cast<float>(settings.return_scale), batch);
     batch.window_rounds.push_back(length);

@@ -10,14 +10,11 @@
 #include <unistd.h>
 
 namespace folk::tools {
-namespace {
 
 void show(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stderr);
   std::fflush(stderr);
 }
-
-}  // namespace
 
 std::size_t terminal_width() {
   winsize size{};

@@ -14,6 +14,9 @@ namespace folk::tools {
 std::string progress_line(const std::string& what, double fraction, std::optional<double> seconds_left,
                           std::size_t width);
 
+/// Writes to stderr at once.
+void show(const std::string& text);
+
 /// Columns of the terminal that stderr is; 80 where it does not say.
 std::size_t terminal_width();
 

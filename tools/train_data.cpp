@@ -9,7 +9,6 @@
 #include <folk/sct/tournament_data.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace folk::tools {
@@ -20,8 +19,7 @@ constexpr std::uint64_t usual_rounds = 100;
 
 /// The moves must have earned what the game of the evaluations pays for them.
 void check_rewards(const std::vector<sct::Trajectory>& data, const TrainConfig& config) {
-  std::array<double, 4> payoffs{};
-  for (std::size_t o = 0; o < payoffs.size(); ++o) payoffs[o] = to_double(config.payoffs.by_outcome()[o]);
+  const auto payoffs = config.payoffs.numbers();
   for (std::size_t i = 0; i < data.size(); ++i)
     for (std::size_t t = 0; t < data[i].rounds(); ++t) {
       const double payoff = payoffs[outcome(data[i].own[t], data[i].theirs[t])];

@@ -22,7 +22,7 @@ struct TrainReport {
   std::vector<sct::Evaluation> history;
   std::size_t kept = 0;  ///< index in the history
   std::vector<Strategy> roster;
-  sct::RosterScore clean;  ///< the kept policy against each of the roster, nobody's moves flipping
+  sct::RosterScore clean;    ///< the kept policy against each of the roster, nobody's moves flipping
   sct::BeliefEffect effect;  ///< of its belief token on its moves in these matches
   std::string output;        ///< the policy's file
 };

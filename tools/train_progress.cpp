@@ -5,19 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include <unistd.h>
 
 namespace folk::tools {
-namespace {
-
-void show(const std::string& text) {
-  std::fwrite(text.data(), 1, text.size(), stderr);
-  std::fflush(stderr);
-}
-
-}  // namespace
 
 TrainProgress::TrainProgress(bool enabled, std::uint64_t first_step, std::uint64_t steps, std::uint64_t step_tokens)
     : enabled_(enabled),

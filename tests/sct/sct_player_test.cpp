@@ -88,9 +88,7 @@ TEST_P(TransformerTest, BelievesInProbabilitiesIfItWasTrainedTo) {
 TEST_P(TransformerTest, MovesAndBeliefsAreTheThinkers) {
   const auto player = sct.new_player();
   player->start(match_of());
-  Memory memory;
-  memory.returns = {4.2F};
-  memory.observations = {start_observation};
+  auto memory = first_memory(4.2);
   test::Draw draw(5);
   for (std::uint64_t t = 0; t < trained_rounds; ++t) {
     const auto thought = Thinker(*mind).think(memory);
@@ -104,12 +102,8 @@ TEST_P(TransformerTest, MovesAndBeliefsAreTheThinkers) {
     const Move played = draw.chance(0.2) ? other(own) : own;
     const Move theirs = draw.chance(0.5) ? Move::C : Move::D;
     player->observe(played, theirs);
-    memory.own.push_back(static_cast<std::uint8_t>(bit(played)));
-    memory.opponent.push_back(static_cast<std::uint8_t>(bit(theirs)));
-    memory.beliefs.push_back(static_cast<std::uint8_t>(bit(likelier_move(thought.belief))));
-    memory.observations.push_back(observation_of(played, theirs));
-    constexpr std::array rewards{3.0F, 0.0F, 5.0F, 1.0F};
-    memory.returns.push_back(memory.returns.back() - rewards[outcome(played, theirs)] / 10);
+    constexpr std::array rewards{3.0, 0.0, 5.0, 1.0};
+    remember(memory, played, theirs, likelier_move(thought.belief), rewards[outcome(played, theirs)] / 10);
   }
 }
 
@@ -216,9 +210,7 @@ TEST(Transformer, SamplesByItsKey) {
 /// In the first round, where nothing hangs on earlier draws: as often as the action head says.
 TEST(Transformer, SamplesWithTheHeadsProbability) {
   const auto mind = test::playing_mind();
-  Memory memory;
-  memory.returns = {4.2F};
-  memory.observations = {start_observation};
+  const auto memory = first_memory(4.2);
   const double p = Thinker(*mind).think(memory).cooperation;
   const auto player = transformer("sct", mind, {.sample = true}).new_player();
   constexpr std::uint64_t matches = 2000;

@@ -16,21 +16,9 @@ namespace {
 
 constexpr double tolerance = 1e-4;
 
-/// Before the first round, asked for a return.
-Memory beginning(double target = 4.2) {
-  Memory memory;
-  memory.returns = {static_cast<float>(target)};
-  memory.observations = {start_observation};
-  return memory;
-}
-
-/// A round is over: it was believed that `belief` would come.
-void remember(Memory& memory, Move own, Move theirs, std::uint8_t belief) {
-  memory.own.push_back(static_cast<std::uint8_t>(bit(own)));
-  memory.opponent.push_back(static_cast<std::uint8_t>(bit(theirs)));
-  memory.beliefs.push_back(belief);
-  memory.observations.push_back(observation_of(own, theirs));
-  memory.returns.push_back(memory.returns.back() - 0.1F * static_cast<float>(memory.own.size() % 4));
+/// A round is over, with some reward.
+void play_round(Memory& memory, Move own, Move theirs, std::uint8_t believed) {
+  remember(memory, own, theirs, move_from_bit(believed), 0.1 * static_cast<double>(memory.own.size() % 4));
 }
 
 std::uint8_t likelier(double belief) { return belief >= 0.5 ? 0 : 1; }
@@ -99,7 +87,7 @@ protected:
 TEST_P(ThinkerTest, SaysWhatTrainingComputesOnTheLastRounds) {
   for (int match = 0; match < 3; ++match) {
     Thinker thinker(mind);
-    auto memory = beginning(3 + match);
+    auto memory = first_memory(3 + match);
     for (std::size_t round = 0; round < 25; ++round) {
       const auto thought = thinker.think(memory);
       const auto slot = likelier(thought.belief);
@@ -107,26 +95,26 @@ TEST_P(ThinkerTest, SaysWhatTrainingComputesOnTheLastRounds) {
       const auto again = Thinker(mind).think(memory);
       EXPECT_NEAR(again.belief, thought.belief, 1e-5);
       EXPECT_NEAR(again.cooperation, thought.cooperation, 1e-5);
-      remember(memory, any_move(), any_move(), slot);
+      play_round(memory, any_move(), any_move(), slot);
     }
   }
 }
 
 TEST_P(ThinkerTest, MayBeAskedTwiceOrNotInEveryRound) {
   Thinker thinker(mind);
-  auto memory = beginning();
+  auto memory = first_memory(4.2);
   for (std::size_t round = 0; round < 25; ++round) {
     for (std::size_t times = draw.between(0, 2); times > 0; --times) {
       const auto thought = thinker.think(memory);
       expect_near(thought, expected(mind, memory, likelier(thought.belief)), round);
     }
-    remember(memory, any_move(), any_move(), round % 3 == 0);
+    play_round(memory, any_move(), any_move(), round % 3 == 0);
   }
 }
 
 TEST_P(ThinkerTest, BelievesWhatItIsForcedTo) {
   Thinker thinker(mind);
-  auto memory = beginning();
+  auto memory = first_memory(4.2);
   double moved = 0;
   for (std::size_t round = 0; round < 12; ++round) {
     std::array<Thought, 2> forced;
@@ -136,7 +124,7 @@ TEST_P(ThinkerTest, BelievesWhatItIsForcedTo) {
     }
     EXPECT_EQ(forced[0].belief, forced[1].belief) << "what is believed is not what is forced";
     moved += std::abs(forced[0].cooperation - forced[1].cooperation);
-    remember(memory, any_move(), any_move(), likelier(forced[0].belief));
+    play_round(memory, any_move(), any_move(), likelier(forced[0].belief));
   }
   if (mind.policy.architecture.readout == Readout::own) {
     EXPECT_EQ(moved, 0) << "the action ignores the belief token";
@@ -155,15 +143,15 @@ TEST(Selfconf, FeedsItselfWhatItsTrainingFed) {
   test::Draw draw(8);
   for (int match = 0; match < 10; ++match) {
     Thinker thinker(mind);
-    auto memory = beginning(match);
+    auto memory = first_memory(match);
     for (std::size_t round = 0; round < context; ++round) {
       const auto thought = thinker.think(memory);
       auto true_slots = memory.opponent;
       true_slots.push_back(0);  // unknown; training's own beliefs do not see it
       expect_near(thought,
                   training_pass(mind, LossMode::selfconf, window(mind.policy.architecture, memory, true_slots)), round);
-      remember(memory, draw.chance(0.5) ? Move::C : Move::D, draw.chance(0.5) ? Move::C : Move::D,
-               likelier(thought.belief));
+      play_round(memory, draw.chance(0.5) ? Move::C : Move::D, draw.chance(0.5) ? Move::C : Move::D,
+                 likelier(thought.belief));
     }
   }
 }
