@@ -11,7 +11,7 @@ const TargetScore& best_target(const Evaluation& evaluation) {
 }
 
 bool takes_over(const Evaluation& later, const Evaluation& kept) {
-  return best_target(later).total > best_target(kept).total;
+  return best_target(later).total >= best_target(kept).total;
 }
 
 }  // namespace folk::sct

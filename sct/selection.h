@@ -2,10 +2,11 @@
 // The written rule by which one of all the policies of a training run is kept.
 //
 // 1. Every so many steps and at the end the policy plays its validation matches once for each target of a grid: against
-//    every member of the roster, in repetitions whose moves flip with a small probability, drawn from a seed that
-//    nothing in training draws from.
+//    every member of the roster, in repetitions whose moves flip with some probability (or never), drawn from a seed
+//    that nothing in training draws from.
 // 2. The policy's figure is the mean total of its best target; of equal targets the lowest counts.
-// 3. The policy with the highest figure is kept, of equal ones the earliest, and plays with that target.
+// 3. The policy with the highest figure is kept, of equal ones the latest (it has seen more, and the learning rate has
+//    fallen further), and plays with that target.
 
 #include <cstdint>
 #include <optional>

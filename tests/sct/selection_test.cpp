@@ -13,9 +13,9 @@ TEST(Selection, OfEqualTargetsTheLowestInAnyOrder) {
   EXPECT_EQ(best_target({10, 0, 0, {{280, 4800, {}}, {260, 4800, {}}, {300, 4800, {}}}}).target, 260);
 }
 
-TEST(Selection, ALaterPolicyMustBeBetter) {
+TEST(Selection, ALaterPolicyMustBeAsGood) {
   const Evaluation kept{10, 0, 0, {{260, 4700, {}}, {280, 4800, {}}}};
-  EXPECT_FALSE(takes_over({20, 0, 0, {{260, 4800, {}}, {280, 4700, {}}}}, kept));  // as good, but later
+  EXPECT_TRUE(takes_over({20, 0, 0, {{260, 4800, {}}, {280, 4700, {}}}}, kept));
   EXPECT_FALSE(takes_over({20, 0, 0, {{260, 4799, {}}}}, kept));
   EXPECT_TRUE(takes_over({20, 0, 0, {{300, 4800.25, {}}}}, kept));
 }

@@ -81,8 +81,9 @@ TEST(TrainingRun, EvaluatesAtMultiplesAndAtTheEnd) {
   EXPECT_EQ(run.history()[1].steps, 8U);
   EXPECT_EQ(run.history()[2].steps, 10U);
   EXPECT_EQ(run.history()[2].scores.size(), 2U);
-  for (std::size_t i = 0; i < 3; ++i)
-    EXPECT_FALSE(i != run.kept() && takes_over(run.history()[i], run.history()[run.kept()]));
+  const auto& kept = run.history()[run.kept()];
+  for (std::size_t i = 0; i < run.kept(); ++i) EXPECT_TRUE(takes_over(kept, run.history()[i]));
+  for (std::size_t i = run.kept() + 1; i < 3; ++i) EXPECT_FALSE(takes_over(run.history()[i], kept));
 }
 
 TEST(TrainingRun, ThePolicyIsTheKeptOne) {

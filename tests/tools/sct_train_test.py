@@ -328,7 +328,7 @@ class Output(Training):
             self.assertGreater(entry["belief_loss"], 0)
             self.assertGreater(entry["action_loss"], 0)
         kept = told["kept"]
-        best = max(told["evaluations"], key=lambda entry: entry["best"]["total"])
+        best = max(told["evaluations"], key=lambda entry: (entry["best"]["total"], entry["step"]))  # of equal ones the latest
         self.assertEqual((kept["step"], kept["target"]), (best["step"], best["best"]["target"]))
         self.assertEqual(kept["validation_total"], best["best"]["total"])
         self.assertEqual([entry["name"] for entry in kept["opponents"]], ["tit_for_tat", "all_d", "pavlov", "spiteful"])
