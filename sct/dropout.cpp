@@ -33,7 +33,7 @@ void philox(std::array<Words, 4>& words, std::uint32_t key_0, std::uint32_t key_
 }  // namespace
 
 Dropout::Dropout(double probability, std::uint64_t seed, std::uint64_t step, std::uint32_t pass)
-    : threshold_(static_cast<std::uint32_t>(std::lround(probability * 65536.0))),
+    : threshold_(static_cast<std::uint32_t>(std::lround(std::clamp(probability, 0.0, most) * 65536.0))),
       seed_(seed),
       step_(step),
       pass_(pass) {}

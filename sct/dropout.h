@@ -12,7 +12,10 @@ class Dropout {
 public:
   Dropout() = default;
 
-  /// `seed` and `step` of the training run; `pass` tells the passes of one step apart.
+  static constexpr double most = 65535.0 / 65536.0;
+
+  /// `probability` is taken from [0, most]. `seed` and `step` of the training run; `pass` tells the passes of one step
+  /// apart.
   Dropout(double probability, std::uint64_t seed, std::uint64_t step, std::uint32_t pass = 0);
 
   bool active() const { return threshold_ > 0; }

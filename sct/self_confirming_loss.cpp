@@ -1,3 +1,4 @@
+#include <folk/games/error.h>
 #include <folk/sct/self_confirming_loss.h>
 
 #include <cmath>
@@ -83,6 +84,8 @@ SelfConfirmingLoss<S>::SelfConfirmingLoss(const Network<S>& network, LossMode mo
       first_(network.architecture(), network.layout(), {}),
       second_(network.architecture(), network.layout(), {}) {
   const auto& architecture = network.architecture();
+  if (mode == LossMode::composite && architecture.discrete)
+    throw UsageError("loss mode composite needs continuous actions: a class that was chosen has no gradient");
   std::vector<std::size_t> everything;
   for (std::size_t token = 1; token < architecture.round_tokens(); ++token) everything.push_back(token);
   const auto heads = [&](bool belief, bool action) {

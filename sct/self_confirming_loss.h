@@ -38,7 +38,8 @@ struct Denominators {
 template <class S>
 class SelfConfirmingLoss {
 public:
-  /// `read_everything`: compute the hidden states of all tokens but returns, for those who want to look at them.
+  /// Throws UsageError for `composite` with discrete actions. `read_everything`: compute the hidden states of all
+  /// tokens but returns, for those who want to look at them.
   SelfConfirmingLoss(const Network<S>& network, LossMode mode, bool read_everything = false);
 
   /// The chunk's share in the means of its batch; adds to `gradient` unless it is null.

@@ -51,7 +51,8 @@ struct Thought {
 /// each with its own row of the time table.
 ///
 /// In the past belief slots stands what training put there. `teacher`: the true moves. `selfconf`: the beliefs; these
-/// come from a stream of their own whose past slots hold the true moves, as in the first pass of training.
+/// come from a stream of their own whose past slots hold the true moves, as in the first pass of training, and stay
+/// what they were when they were held (training forms them anew from each window's first round).
 class Thinker {
 public:
   /// `mind` must outlive this.
