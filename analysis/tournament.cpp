@@ -2,6 +2,7 @@
 #include <folk/analysis/parallel.h>
 #include <folk/analysis/signature.h>
 #include <folk/analysis/tournament.h>
+#include <folk/analysis/whole_payoffs.h>
 #include <folk/games/error.h>
 #include <folk/strategies/registry.h>
 
@@ -14,8 +15,6 @@
 
 namespace folk {
 namespace {
-
-using boost::multiprecision::cpp_int;
 
 /// Scores that are no exact whole numbers count as equal within this share of the largest possible score.
 constexpr double rounding = 1e-12;
@@ -59,18 +58,10 @@ Tournament::Tournament(std::vector<Strategy> roster, std::size_t core, Tournamen
 }
 
 void Tournament::scale_payoffs() {
-  const auto payoffs = settings_.payoffs.by_outcome();
-  cpp_int common = 1;
-  for (const auto& payoff : payoffs) common = lcm(common, cpp_int(denominator(payoff)));
-  scale_ = common.convert_to<double>();
-  double largest = 1;
-  for (std::size_t o = 0; o < 4; ++o) {
-    scaled_payoffs_[o] = to_double(Rational(payoffs[o] * common));
-    largest = std::max(largest, std::abs(scaled_payoffs_[o]));
-  }
-  if (!std::isfinite(scale_) || !std::isfinite(largest))
-    throw UsageError(fmt::format("payoffs {}: too large or of too many digits to add up", to_text(settings_.payoffs)));
-  largest_score_ = settings_.criterion.total_weight() * largest;
+  const auto whole = whole_payoffs(settings_.payoffs);
+  scaled_payoffs_ = whole.by_outcome;
+  scale_ = whole.scale;
+  largest_score_ = settings_.criterion.total_weight() * whole.largest;
   // Whole numbers are exact in a double up to 2^53, and sums of them in a long double up to 2^63.
   if (!(largest_score_ <= 0x1p53 && largest_score_ * static_cast<double>(size()) < 0x1p63))
     throw UsageError(
