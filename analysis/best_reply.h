@@ -1,56 +1,39 @@
 #pragma once
-// The best reply to a machine over T rounds, by dynamic programming over (rounds left, the machine's state).
+// The best reply to a machine under any criterion: what it earns, and the reply itself as a machine.
 
-#include <folk/games/move.h>
+#include <folk/games/criterion.h>
 #include <folk/games/payoffs.h>
+#include <folk/games/rational.h>
 #include <folk/strategies/automaton.h>
-#include <folk/strategies/machine.h>
 
-#include <cstddef>
-#include <cstdint>
-#include <vector>
+#include <optional>
 
 namespace folk {
 
-/// What the best (and the worst) reply to a known machine earns over T rounds without noise, and how.
-///
-/// Backward induction: v(r, s) = max over own moves m of E[u(m, x) + v(r - 1, next(s, x, m))], x the machine's move in
-/// state s. Machines that count are unrolled: within T rounds they reach finitely many states. Against a deterministic
-/// machine all figures are exact whole multiples of the payoffs' last digit; against one that mixes they are
-/// expectations, exact up to rounding.
-class FiniteBestReply {
-public:
-  /// Rounds times states of the opponent beyond this are refused: the policy takes a bit each.
-  static constexpr std::uint64_t most_decisions = 2'000'000'000;
-
-  /// Throws UsageError when rounds = 0, on more than most_decisions, on a machine that reaches more than 2^20 states,
-  /// and on totals beyond 2^53 in units of the payoffs' last digit.
-  FiniteBestReply(const Machine& opponent, const Payoffs& payoffs, std::uint64_t rounds);
-
-  /// The largest and the smallest (expected) total over the T rounds, in units of the payoffs.
-  double optimum() const { return optimum_; }
-  double minimum() const { return minimum_; }
-
-  std::uint64_t rounds() const { return rounds_; }
-
-  /// The opponent as a table of the states that it reaches within T rounds; `best` takes its states.
-  const Automaton& opponent() const { return opponent_; }
-
-  /// A best move in a round (0 to T-1) in which the opponent stands in `state`; C where both are as good.
-  Move best(std::uint64_t round, std::uint32_t state) const;
-
-  /// The T moves that `best` plays against a deterministic opponent. Throws std::logic_error for one that mixes: a best
-  /// reply then depends on what it is seen to do.
-  std::vector<Move> moves() const;
-
-private:
-  void solve(const Payoffs& payoffs);
-
-  Automaton opponent_;
-  std::uint64_t rounds_;
-  double optimum_ = 0;
-  double minimum_ = 0;
-  std::vector<bool> defects_;  // round * states + state
+/// A best reply to a known machine.
+struct BestReply {
+  double payoff = 0;              ///< what it earns, in the criterion's unit
+  std::optional<Rational> exact;  ///< the same exactly: to a deterministic machine, without noise
+  double residual = 0;            ///< no reply earns more than payoff + residual (0 where it is exact)
+  /// The payoff is only a lower bound: rounds beyond this horizon were taken to pay the least payoff of the game.
+  std::optional<unsigned> horizon{};
+  Automaton machine;  ///< plays the reply; knows the opponent's state from what was really played
 };
+
+struct BestReplyOptions {
+  double noise = 0;      ///< every move of both sides flips with this probability
+  unsigned horizon = 0;  ///< for machines without end under criteria without end: rounds that are unrolled
+};
+
+/// Dynamic programming over (state, rounds left) for finite:T, policy iteration on the machine's states else.
+/// Throws UsageError when the machine is infinite, the criterion has no end and no horizon is given (for mean: always),
+/// and on sizes that cannot be solved.
+BestReply best_reply(const Machine& opponent, const Payoffs& payoffs, const Criterion& criterion,
+                     const BestReplyOptions& options = {});
+
+/// A machine as the table that a criterion needs: for finite:T what it reaches within T rounds, else all its states, or
+/// those within the horizon where there is no end to them.
+/// Throws UsageError as best_reply does.
+Automaton table_for(const Machine& machine, const Criterion& criterion, Sense sense, unsigned horizon);
 
 }  // namespace folk

@@ -1,10 +1,9 @@
+#include <folk/analysis/markov_chain.h>
 #include <folk/analysis/markov_play.h>
 #include <folk/analysis/state_reduction.h>
 #include <folk/strategies/product.h>
 
 #include <Eigen/Dense>
-#include <boost/graph/compressed_sparse_row_graph.hpp>
-#include <boost/graph/strong_components.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,24 +16,17 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// A joint state: what happens in it, and where each outcome leads.
-struct Joint {
-  std::array<double, 4> probability{};
-  std::array<std::uint32_t, 4> next{};
-};
-
-/// The joint states of a pair in breadth-first order, start first.
-using Chain = std::vector<Joint>;
-
 /// P(C) and P(D) of the move really played, each without cancellation.
 std::array<double, 2> really_played(double intended, double noise) {
   return {intended * (1 - noise) + (1 - intended) * noise, (1 - intended) * (1 - noise) + intended * noise};
 }
 
-std::optional<Chain> joint_chain(const Automaton& first, const Automaton& second, double noise, std::size_t most) {
+/// The joint states of a pair in breadth-first order, start first.
+std::optional<MarkovChain> joint_chain(const Automaton& first, const Automaton& second, double noise,
+                                       std::size_t most) {
   const auto joint_states = product(first, second, noise > 0 ? Sense::any_own_moves : Sense::own_moves_its_own, most);
   if (!joint_states) return std::nullopt;
-  Chain chain;
+  MarkovChain chain;
   chain.reserve(joint_states->size());
   for (const JointNode& node : *joint_states) {
     const auto p = really_played(first.nodes()[node.first].cooperation, noise);
@@ -44,14 +36,14 @@ std::optional<Chain> joint_chain(const Automaton& first, const Automaton& second
   return chain;
 }
 
-OutcomeWeights outcomes_of(const Chain& chain, const VectorXd& visits) {
+OutcomeWeights outcomes_of(const MarkovChain& chain, const VectorXd& visits) {
   OutcomeWeights weights{};
   for (std::size_t i = 0; i < chain.size(); ++i)
     for (std::size_t o = 0; o < 4; ++o) weights[o] += visits[static_cast<Eigen::Index>(i)] * chain[i].probability[o];
   return weights;
 }
 
-Transitions transitions(const Chain& chain) {
+Transitions transitions(const MarkovChain& chain) {
   const auto n = static_cast<Eigen::Index>(chain.size());
   Transitions matrix = Transitions::Zero(n, n);
   for (std::size_t i = 0; i < chain.size(); ++i)
@@ -67,7 +59,7 @@ VectorXd unit(std::size_t size, std::size_t at) {
 }
 
 /// Round t weighs continuation^t.
-OutcomeWeights round_by_round(const Chain& chain, std::uint64_t rounds, double continuation = 1) {
+OutcomeWeights round_by_round(const MarkovChain& chain, std::uint64_t rounds, double continuation = 1) {
   std::vector<double> now(chain.size());
   std::vector<double> then(chain.size());
   OutcomeWeights weights{};
@@ -88,7 +80,7 @@ OutcomeWeights round_by_round(const Chain& chain, std::uint64_t rounds, double c
 }
 
 /// Expected visits over T rounds by doubling: sum_{t<2k} Q^t = (I + Q^k) sum_{t<k} Q^t, Q the transposed transitions.
-OutcomeWeights by_doubling(const Chain& chain, std::uint64_t rounds) {
+OutcomeWeights by_doubling(const MarkovChain& chain, std::uint64_t rounds) {
   const auto n = static_cast<Eigen::Index>(chain.size());
   MatrixXd power = transitions(chain).transpose();  // Q^(2^j)
   MatrixXd sum = MatrixXd::Identity(n, n);          // sum of Q^t for t < 2^j
@@ -111,14 +103,14 @@ OutcomeWeights by_doubling(const Chain& chain, std::uint64_t rounds) {
 
 /// Expected discounted outcomes, as weights that add up to 1: the stationary distribution of the chain that starts anew
 /// after each round with probability `stopping`.
-OutcomeWeights restarted(const Chain& chain, const Criterion& criterion) {
+OutcomeWeights restarted(const MarkovChain& chain, const Criterion& criterion) {
   Transitions restart = criterion.continuation() * transitions(chain);
   restart.col(0).array() += criterion.stopping();
   return outcomes_of(chain, stationary_distribution(std::move(restart)));
 }
 
 /// The same, solved at once where that is quick, else round by round until less than 1e-17 is left.
-std::optional<OutcomeWeights> discounted_share(const Chain& chain, const Criterion& criterion,
+std::optional<OutcomeWeights> discounted_share(const MarkovChain& chain, const Criterion& criterion,
                                                const MarkovLimits& limits) {
   if (chain.size() <= limits.solved_states) return restarted(chain, criterion);
   const double rounds = std::ceil(std::log(1e-17) / std::log1p(-criterion.stopping()));
@@ -126,20 +118,6 @@ std::optional<OutcomeWeights> discounted_share(const Chain& chain, const Criteri
   OutcomeWeights weights = round_by_round(chain, static_cast<std::uint64_t>(rounds), criterion.continuation());
   for (double& weight : weights) weight *= criterion.stopping();
   return weights;
-}
-
-/// The strongly connected component of each joint state.
-std::vector<int> components_of(const Chain& chain, int& count) {
-  using Graph = boost::compressed_sparse_row_graph<boost::directedS>;
-  std::vector<std::pair<std::size_t, std::size_t>> edges;
-  for (std::size_t i = 0; i < chain.size(); ++i)
-    for (std::size_t o = 0; o < 4; ++o)
-      if (chain[i].probability[o] > 0) edges.emplace_back(i, chain[i].next[o]);
-  const Graph graph(boost::edges_are_unsorted, edges.begin(), edges.end(), chain.size());
-  std::vector<int> component(chain.size());
-  count = boost::strong_components(
-      graph, boost::make_iterator_property_map(component.begin(), boost::get(boost::vertex_index, graph)));
-  return component;
 }
 
 /// The place of each member among the members, -1 for others.
@@ -150,7 +128,7 @@ std::vector<Eigen::Index> places_of(const std::vector<std::size_t>& members, std
 }
 
 /// The stationary distribution of a recurrent class, over its members.
-VectorXd stationary(const Chain& chain, const std::vector<std::size_t>& members) {
+VectorXd stationary(const MarkovChain& chain, const std::vector<std::size_t>& members) {
   const auto place = places_of(members, chain.size());
   const auto n = static_cast<Eigen::Index>(members.size());
   Transitions within = Transitions::Zero(n, n);
@@ -161,56 +139,46 @@ VectorXd stationary(const Chain& chain, const std::vector<std::size_t>& members)
 }
 
 /// The probability with which play ends in each component.
-std::vector<double> absorption(const Chain& chain, const std::vector<int>& component,
-                               const std::vector<bool>& recurrent) {
-  std::vector<double> absorbed(recurrent.size(), 0.0);
-  const auto home = [&](std::size_t i) { return static_cast<std::size_t>(component[i]); };
-  if (recurrent[home(0)]) {
-    absorbed[home(0)] = 1;
+std::vector<double> absorption(const MarkovChain& chain, const ChainClasses& classes) {
+  std::vector<double> absorbed(classes.members.size(), 0.0);
+  if (classes.recurrent[classes.of[0]]) {
+    absorbed[classes.of[0]] = 1;
     return absorbed;
   }
   std::vector<std::size_t> transient;
   for (std::size_t i = 0; i < chain.size(); ++i)
-    if (!recurrent[home(i)]) transient.push_back(i);
+    if (!classes.recurrent[classes.of[i]]) transient.push_back(i);
   const auto place = places_of(transient, chain.size());
   const auto n = static_cast<Eigen::Index>(transient.size());
-  Transitions moves = Transitions::Zero(n, n + static_cast<Eigen::Index>(recurrent.size()));
+  Transitions moves = Transitions::Zero(n, n + static_cast<Eigen::Index>(absorbed.size()));
   for (const std::size_t i : transient)
     for (std::size_t o = 0; o < 4; ++o) {
       const std::size_t next = chain[i].next[o];
       if (chain[i].probability[o] > 0)
-        moves(place[i], place[next] >= 0 ? place[next] : n + component[next]) += chain[i].probability[o];
+        moves(place[i], place[next] >= 0 ? place[next] : n + static_cast<Eigen::Index>(classes.of[next])) +=
+            chain[i].probability[o];
     }
   const VectorXd ends = absorption_probabilities(std::move(moves));
   for (std::size_t c = 0; c < absorbed.size(); ++c) absorbed[c] = ends[static_cast<Eigen::Index>(c)];
   return absorbed;
 }
 
-OutcomeWeights long_run(const Chain& chain) {
-  int count = 0;
-  const std::vector<int> component = components_of(chain, count);
-  const auto classes = static_cast<std::size_t>(count);
-  std::vector<bool> recurrent(classes, true);
-  std::vector<std::vector<std::size_t>> members(classes);
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    members[static_cast<std::size_t>(component[i])].push_back(i);
-    for (std::size_t o = 0; o < 4; ++o)
-      if (chain[i].probability[o] > 0 && component[chain[i].next[o]] != component[i])
-        recurrent[static_cast<std::size_t>(component[i])] = false;
-  }
-  const std::vector<double> absorbed = absorption(chain, component, recurrent);
+OutcomeWeights long_run(const MarkovChain& chain) {
+  const ChainClasses classes = classes_of(chain);
+  const std::vector<double> absorbed = absorption(chain, classes);
   VectorXd frequencies = VectorXd::Zero(static_cast<Eigen::Index>(chain.size()));
-  for (std::size_t c = 0; c < classes; ++c) {
+  for (std::size_t c = 0; c < absorbed.size(); ++c) {
     if (absorbed[c] <= 0) continue;
-    const VectorXd within = stationary(chain, members[c]);
-    for (std::size_t k = 0; k < members[c].size(); ++k)
-      frequencies[static_cast<Eigen::Index>(members[c][k])] = absorbed[c] * within[static_cast<Eigen::Index>(k)];
+    const auto& members = classes.members[c];
+    const VectorXd within = stationary(chain, members);
+    for (std::size_t k = 0; k < members.size(); ++k)
+      frequencies[static_cast<Eigen::Index>(members[k])] = absorbed[c] * within[static_cast<Eigen::Index>(k)];
   }
   return outcomes_of(chain, frequencies);
 }
 
 /// Whichever way of summing T rounds is cheaper, or nothing when both cost more than `work`.
-std::optional<OutcomeWeights> finite_sum(const Chain& chain, std::uint64_t rounds, std::uint64_t work) {
+std::optional<OutcomeWeights> finite_sum(const MarkovChain& chain, std::uint64_t rounds, std::uint64_t work) {
   const double n = static_cast<double>(chain.size());
   const double stepping = 4 * n * static_cast<double>(rounds);
   const double doubling = 2 * n * n * n * (1 + std::log2(static_cast<double>(rounds)));

@@ -36,4 +36,23 @@ Eigen::VectorXd absorption_probabilities(Transitions p) {
   return p.row(0).tail(classes).transpose() / p.row(0).tail(classes).sum();
 }
 
+Eigen::VectorXd expected_ends(Transitions p, const Eigen::VectorXd& ends) {
+  const Index n = p.rows();
+  Eigen::VectorXd had = p.col(n).cwiseProduct(ends);
+  Eigen::VectorXd leaves(n);
+  for (Index k = n - 1; k >= 0; --k) {
+    leaves[k] = p.row(k).head(k).sum() + p(k, n);
+    for (Index i = 0; i < k; ++i) {
+      if (p(i, k) == 0) continue;
+      const double share = p(i, k) / leaves[k];
+      p.row(i).head(k) += share * p.row(k).head(k);
+      p(i, n) += share * p(k, n);
+      had[i] += share * had[k];
+    }
+  }
+  Eigen::VectorXd expected(n);
+  for (Index k = 0; k < n; ++k) expected[k] = (p.row(k).head(k).dot(expected.head(k)) + had[k]) / leaves[k];
+  return expected;
+}
+
 }  // namespace folk

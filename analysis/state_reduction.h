@@ -18,4 +18,9 @@ Eigen::VectorXd stationary_distribution(Transitions transitions);
 /// of moving from transient state i to each transient state, then to each absorbing class. By the same elimination.
 Eigen::VectorXd absorption_probabilities(Transitions transient);
 
+/// What is expected at absorption from each transient state on: row i of `transient` holds the probabilities of moving
+/// from transient state i to each transient state, and then that of being absorbed at once; `ends[i]` is what is had on
+/// average by those that are absorbed at once from i. By the same elimination.
+Eigen::VectorXd expected_ends(Transitions transient, const Eigen::VectorXd& ends);
+
 }  // namespace folk

@@ -8,6 +8,12 @@
 #include <stdexcept>
 
 namespace folk {
+namespace {
+
+/// The shortest decimal that reads back as this double: what a person wrote.
+Rational as_written(double number) { return parse_rational(fmt::format("{}", number)); }
+
+}  // namespace
 
 std::uint64_t parse_rounds(std::string_view text) {
   std::uint64_t rounds = 0;
@@ -31,20 +37,35 @@ double parse_number(std::string_view text, std::string_view what, double low, do
 Criterion Criterion::finite(std::uint64_t rounds) {
   if (rounds == 0 || rounds > most_rounds)
     throw UsageError(fmt::format("rounds {}: expected a whole number from 1 to {}", rounds, most_rounds));
-  return {Kind::finite, rounds, 1.0};
+  return {Kind::finite, rounds, 1};
 }
 
 Criterion Criterion::discounted(double discount) {
   if (!(discount > 0 && discount < 1))
     throw UsageError(fmt::format("discount factor {}: expected a number above 0 and below 1", discount));
+  return discounted(as_written(discount));
+}
+
+Criterion Criterion::discounted(const Rational& discount) {
+  // What rounds to 0 or 1 has no double to compute with.
+  if (!(to_double(discount) > 0 && to_double(discount) < 1))
+    throw UsageError(
+        fmt::format("discount factor {}: expected a number above 0 and below 1", excerpt(to_text(discount))));
   return {Kind::discounted, 0, discount};
 }
 
-Criterion Criterion::mean() { return {Kind::mean, 0, 1.0}; }
+Criterion Criterion::mean() { return {Kind::mean, 0, 1}; }
 
 Criterion Criterion::ending(double probability) {
   if (!(probability >= least_ending && probability <= 1))
     throw UsageError(fmt::format("ending probability {}: expected a number from {} to 1", probability, least_ending));
+  return ending(as_written(probability));
+}
+
+Criterion Criterion::ending(const Rational& probability) {
+  if (!(to_double(probability) >= least_ending && probability <= 1))
+    throw UsageError(fmt::format("ending probability {}: expected a number from {} to 1", excerpt(to_text(probability)),
+                                 least_ending));
   return {Kind::ending, 0, probability};
 }
 
@@ -55,8 +76,15 @@ Criterion Criterion::parse(std::string_view text) {
   if (colon != std::string_view::npos) {
     const std::string_view value = text.substr(colon + 1);
     if (name == "finite") return finite(parse_rounds(value));
-    if (name == "discounted") return discounted(parse_number(value, "discount factor", 0, 1));
-    if (name == "ending") return ending(parse_number(value, "ending probability", 0, 1));
+    const bool fraction = value.find('/') != std::string_view::npos;
+    if (name == "discounted") {
+      if (!fraction) parse_number(value, "discount factor", 0, 1);
+      return discounted(parse_rational(value));
+    }
+    if (name == "ending") {
+      if (!fraction) parse_number(value, "ending probability", 0, 1);
+      return ending(parse_rational(value));
+    }
   }
   throw UsageError(fmt::format("criterion '{}': expected finite:T, discounted:d, mean or ending:p", excerpt(text)));
 }
@@ -64,11 +92,20 @@ Criterion Criterion::parse(std::string_view text) {
 std::string Criterion::to_string() const {
   switch (kind_) {
     case Kind::finite: return fmt::format("finite:{}", rounds_);
-    case Kind::discounted: return fmt::format("discounted:{}", number_);
+    case Kind::discounted: return "discounted:" + number_text();
     case Kind::mean: return "mean";
-    case Kind::ending: return fmt::format("ending:{}", number_);
+    case Kind::ending: return "ending:" + number_text();
   }
   throw std::logic_error("unknown criterion");
+}
+
+std::string Criterion::number_text() const {
+  return exact_ == as_written(number_) ? fmt::format("{}", number_) : folk::to_text(exact_);
+}
+
+Rational Criterion::exact_continuation() const {
+  if (kind_ == Kind::discounted) return exact_;
+  return kind_ == Kind::ending ? Rational(1 - exact_) : Rational(1);
 }
 
 std::uint64_t Criterion::rounds() const {

@@ -1,6 +1,8 @@
 #pragma once
 // How the payoffs of the rounds add up to the payoff of a repeated game.
 
+#include <folk/games/rational.h>
+
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -12,6 +14,7 @@ namespace folk {
 ///   discounted:d  (1-d) sum of d^(t-1) u_t, 0 < d < 1
 ///   mean          limit of the mean a round
 ///   ending:p      expected sum when each round is the last with probability p, 10^-15 <= p <= 1
+/// d and p are kept as they were written: 0.9 is nine tenths and 2/3 two thirds, not the doubles next to them.
 class Criterion {
 public:
   enum class Kind { finite, discounted, mean, ending };
@@ -22,13 +25,16 @@ public:
   /// A smaller ending probability is refused: it expects more than most_rounds, and 1-p would soon round to 1.
   static constexpr double least_ending = 1e-15;
 
-  /// Each throws UsageError when its number is out of range (NaN included).
+  /// Each throws UsageError when its number is out of range (NaN included). A double stands for its shortest decimal.
   static Criterion finite(std::uint64_t rounds);
   static Criterion discounted(double discount);
+  static Criterion discounted(const Rational& discount);
   static Criterion mean();
   static Criterion ending(double probability);
+  static Criterion ending(const Rational& probability);
 
-  /// Reads what to_string prints: "finite:100", "discounted:0.9", "mean", "ending:0.01". Throws UsageError.
+  /// Reads what to_string prints: "finite:100", "discounted:0.9", "discounted:2/3", "mean", "ending:0.01".
+  /// Throws UsageError.
   static Criterion parse(std::string_view text);
   std::string to_string() const;
 
@@ -40,6 +46,9 @@ public:
 
   /// Weight of round t relative to round t-1: d for discounted, 1-p for ending, 1 for finite and mean.
   double continuation() const;
+
+  /// The same as the number that was written.
+  Rational exact_continuation() const;
 
   /// One less continuation(), without rounding for ending: 1-d, p, and 0 for finite and mean.
   double stopping() const;
@@ -54,14 +63,18 @@ public:
   bool operator==(const Criterion&) const = default;
 
 private:
-  Criterion(Kind kind, std::uint64_t rounds, double number)
+  Criterion(Kind kind, std::uint64_t rounds, const Rational& number)
       : kind_(kind),
         rounds_(rounds),
-        number_(number) {}
+        number_(to_double(number)),
+        exact_(number) {}
+
+  std::string number_text() const;
 
   Kind kind_;
   std::uint64_t rounds_;
   double number_;
+  Rational exact_;
 };
 
 /// Reads a whole number of rounds, 1 to Criterion::most_rounds. Throws UsageError.

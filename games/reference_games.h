@@ -1,6 +1,7 @@
 #pragma once
 // Stage games whose equilibria and minmax values are known, for every test that needs a right answer.
 
+#include <folk/games/minmax.h>
 #include <folk/games/mixed_profile.h>
 #include <folk/games/stage_game.h>
 
@@ -11,14 +12,6 @@
 #include <vector>
 
 namespace folk {
-
-/// To how little an opponent can hold one seat.
-struct Minmax {
-  Rational pure;           ///< when the opponent does not mix and the seat replies best
-  Rational mixed;          ///< when the opponent may mix: min over their mixtures of max over own actions
-  MixedAction punishment;  ///< a mixture of the opponent that holds the seat to `mixed`
-  MixedAction security;    ///< a mixture of the seat's own that guarantees it `mixed`: with `punishment`, the proof
-};
 
 /// A stage game and what is known of it, all exact.
 struct ReferenceGame {

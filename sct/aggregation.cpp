@@ -1,4 +1,4 @@
-#include <folk/analysis/best_reply.h>
+#include <folk/analysis/finite_best_reply.h>
 #include <folk/games/error.h>
 #include <folk/sct/aggregation.h>
 

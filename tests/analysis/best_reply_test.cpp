@@ -1,106 +1,85 @@
 #include "analysis/naive.h"
-#include "csv.h"
+#include "analysis/value_iteration.h"
 
 #include <folk/analysis/best_reply.h>
+#include <folk/analysis/markov_play.h>
 #include <folk/games/error.h>
 #include <folk/strategies/registry.h>
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace folk {
 namespace {
 
-/// What these moves earn against a deterministic machine.
-double total_of(const std::vector<Move>& moves, const Machine& opponent, const Payoffs& payoffs = {}) {
-  const auto by_outcome = payoffs.by_outcome();
-  Rational total = 0;
-  State state = opponent.start();
-  for (const Move own : moves) {
-    const Move theirs = move_of(opponent, state);
-    total += by_outcome[outcome(own, theirs)];
-    state = opponent.next(state, theirs, own);
-  }
-  return to_double(total);
+double earned(const Automaton& own, const Automaton& theirs, double noise, const Criterion& criterion,
+              const Payoffs& payoffs) {
+  const auto pair = play_markov(own, theirs, noise, criterion);
+  double sum = 0;
+  for (std::size_t o = 0; o < 4; ++o) sum += pair->weights[o] * payoffs.numbers()[o];
+  return sum;
 }
 
-/// The largest expected total over all plans, with the sign turned the least; own moves and histories spelt out.
-double by_recursion(const Machine& opponent, State state, unsigned left, double sign) {
-  if (left == 0) return 0;
-  constexpr std::array<double, 4> payoffs{3, 0, 5, 1};
-  const double p = opponent.cooperation(state);
-  double best = -1e9;
-  for (const Move own : {Move::C, Move::D}) {
-    double value = 0;
-    for (const Move theirs : {Move::C, Move::D}) {
-      const double chance = theirs == Move::C ? p : 1 - p;
-      if (chance == 0) continue;
-      const State next = opponent.next(state, theirs, own);
-      value += chance * (sign * payoffs[outcome(own, theirs)] + by_recursion(opponent, next, left - 1, sign));
+TEST(BestReply, EarnsItsPayoffWhenItIsPlayedAgainst2000RandomMachines) {
+  RandomStream random({21, 0, 0, 0});
+  constexpr std::array criteria{"finite:1",       "finite:9",   "finite:30", "discounted:0.4",
+                                "discounted:0.9", "ending:0.1", "ending:1",  "mean"};
+  constexpr std::array noises{0.0, 0.0, 0.02, 0.5, 1.0};
+  for (int i = 0; i < 2000; ++i) {
+    const Automaton opponent = testing::random_automaton(random, 8, random() % 2 == 0);
+    const auto criterion = Criterion::parse(criteria[random() % criteria.size()]);
+    const double noise = noises[random() % noises.size()];
+    const Payoffs payoffs = parse_payoffs(random() % 2 == 0 ? "T=5,R=3,P=1,S=0" : "T=2.5,R=1/3,P=-1,S=-7/2");
+    const BestReply reply = best_reply(opponent, payoffs, criterion, {noise, 0});
+    ASSERT_NEAR(earned(reply.machine, opponent, noise, criterion, payoffs), reply.payoff, 1e-9)
+        << criterion.to_string() << " noise " << noise << " case " << i;
+    ASSERT_EQ(reply.exact.has_value(), opponent.deterministic() && noise == 0);
+    if (reply.exact) {
+      ASSERT_NEAR(to_double(*reply.exact), reply.payoff, 1e-10);
     }
-    best = std::max(best, value);
   }
-  return best;
 }
 
-TEST(FiniteBestReply, AgreesWithTheReferenceOver100Rounds) {
-  const Registry registry = Registry::standard();
-  double classics = 0;
-  std::size_t row = 0;
-  for (const auto& line : testing::read_csv("best_response_17_100.csv")) {
-    // A variant of mem2 that Folk does not name.
-    if (row++ == 0 || line[0] == "mem2_paysum") continue;
-    const auto machine = registry.make(line[0]).machine;
-    const FiniteBestReply reply(*machine, {}, 100);
-    EXPECT_EQ(reply.optimum(), std::stod(line[1])) << line[0];
-    EXPECT_EQ(reply.minimum(), std::stod(line[2])) << line[0];
-    EXPECT_EQ(total_of(reply.moves(), *machine), reply.optimum()) << line[0];
-    std::vector<Move> golden;
-    for (const char move : line[6]) golden.push_back(move == 'C' ? Move::C : Move::D);
-    EXPECT_EQ(total_of(golden, *machine), reply.optimum()) << line[0];
-    if (row <= 18) classics += reply.optimum();
-  }
-  EXPECT_EQ(row, 20U);
-  EXPECT_EQ(classics, 5517);
-}
-
-RC_GTEST_PROP(FiniteBestReply, EqualsTheBestOfAllPlans, ()) {
-  RandomStream random({*rc::gen::arbitrary<std::uint64_t>(), 0, 0, 0});
-  const unsigned rounds = 1 + static_cast<unsigned>(random() % 6);
-  const bool pure = random() % 2 == 0;
-  const Automaton opponent = testing::random_automaton(random, 5, pure);
-  const FiniteBestReply reply(opponent, {}, rounds);
-  RC_ASSERT(std::abs(reply.optimum() - by_recursion(opponent, opponent.start(), rounds, 1)) <= 1e-12);
-  RC_ASSERT(std::abs(reply.minimum() + by_recursion(opponent, opponent.start(), rounds, -1)) <= 1e-12);
-  if (pure) RC_ASSERT(total_of(reply.moves(), opponent) == reply.optimum());
-}
-
-TEST(FiniteBestReply, EarnsTheMeanAgainstAMixer) {
-  const auto random = Registry::standard().make("random(0.25)").machine;
-  const FiniteBestReply reply(*random, {}, 10);
-  EXPECT_DOUBLE_EQ(reply.optimum(), 10 * (0.25 * 5 + 0.75 * 1));
-  EXPECT_DOUBLE_EQ(reply.minimum(), 10 * (0.25 * 3));
-  EXPECT_EQ(reply.best(0, 0), Move::D);
-  EXPECT_THROW(reply.moves(), std::logic_error);
-}
-
-TEST(FiniteBestReply, PlaysCWherePayoffsOfFractionsTie) {
+TEST(BestReply, ToTitForTatIsKnown) {
   const auto tit_for_tat = Registry::standard().make("tit_for_tat").machine;
-  // C, C, D earns 2R + T, and D, C, D earns 2T + S: the same exactly, though not in sums of doubles.
-  const FiniteBestReply reply(*tit_for_tat, parse_payoffs("T=0.6,R=0.3,P=0.1,S=0"), 3);
-  EXPECT_EQ(reply.optimum(), 1.2);
-  EXPECT_EQ(reply.moves(), (std::vector{Move::C, Move::C, Move::D}));
+  const auto exactly = [&](const char* criterion) {
+    return *best_reply(*tit_for_tat, {}, Criterion::parse(criterion)).exact;
+  };
+  EXPECT_EQ(exactly("finite:1"), 5);
+  EXPECT_EQ(exactly("finite:10"), 9 * 3 + 5);
+  EXPECT_EQ(exactly("discounted:2/3"), 3);
+  // Below 2/3 turns of D and C earn (T + d S) / (1 + d), below 1/4 D for ever (1 - d) T + d P.
+  EXPECT_EQ(exactly("discounted:0.5"), 5 / Rational(3, 2));
+  EXPECT_EQ(exactly("discounted:0.1"), Rational(46, 10));
+  EXPECT_EQ(exactly("mean"), 3);
+  EXPECT_EQ(exactly("ending:1"), 5);
 }
 
-TEST(FiniteBestReply, RefusesWhatItCannotSolve) {
+TEST(BestReply, CountsTotalsOfFractionsExactly) {
+  // 2^51 times the payoffs' denominator: doubles of the total in units of 1 no longer know its last digit.
+  const Automaton all_c({{1, {0, 0, 0, 0}}}, 0);
+  const Payoffs payoffs = parse_payoffs("T=1000000000000.1,R=3,P=1,S=0");
+  EXPECT_EQ(*best_reply(all_c, payoffs, Criterion::finite(800)).exact, parse_rational("800000000000080"));
+  const Payoffs tiny = parse_payoffs("T=5e-30,R=3e-30,P=1e-30,S=0");
+  EXPECT_EQ(*best_reply(all_c, tiny, Criterion::finite(3)).exact, parse_rational("15e-30"));
+  EXPECT_EQ(*best_reply(all_c, tiny, Criterion::discounted(0.9)).exact, parse_rational("5e-30"));
+  EXPECT_EQ(*best_reply(all_c, tiny, Criterion::mean()).exact, parse_rational("5e-30"));
+}
+
+TEST(BestReply, ToMachinesWithoutEndIsALowerBoundThatRisesWithTheHorizon) {
   const auto gradual = Registry::standard().make("gradual").machine;
-  EXPECT_THROW(FiniteBestReply(*gradual, {}, 0), UsageError);
-  EXPECT_THROW(FiniteBestReply(*gradual, {}, 1'000'000'000'000), UsageError);
-  const auto all_c = Registry::standard().make("all_c").machine;
-  EXPECT_THROW(FiniteBestReply(*all_c, {}, FiniteBestReply::most_decisions + 1), UsageError);
-  EXPECT_THROW(FiniteBestReply(*all_c, parse_payoffs("T=1e20,R=3,P=1,S=0"), 10), UsageError);
+  double before = 0;
+  for (const unsigned horizon : {5U, 20U, 80U}) {
+    const BestReply reply = best_reply(*gradual, {}, Criterion::discounted(0.9), {0, horizon});
+    EXPECT_EQ(reply.horizon, horizon);
+    EXPECT_GE(reply.payoff, before);
+    before = reply.payoff;
+  }
+  EXPECT_THROW(best_reply(*gradual, {}, Criterion::discounted(0.9)), UsageError);
+  EXPECT_THROW(best_reply(*gradual, {}, Criterion::mean(), {0, 50}), UsageError);
+  EXPECT_EQ(best_reply(*gradual, {}, Criterion::finite(20)).horizon, std::nullopt);
+  EXPECT_THROW(best_reply(*gradual, {}, Criterion::finite(20), {-0.1, 0}), UsageError);
+  EXPECT_THROW(best_reply(*gradual, {}, Criterion::finite(20), {std::nan(""), 0}), UsageError);
 }
 
 }  // namespace

@@ -48,5 +48,27 @@ TEST(StateReduction, AbsorbsAsTheLinearSolveDoes) {
   }
 }
 
+TEST(StateReduction, ExpectsAtAbsorptionWhatTheLinearSolveDoes) {
+  RandomStream random({3, 0, 0, 0});
+  for (Eigen::Index n = 1; n < 20; ++n) {
+    const Transitions p = random_chain(random, n, n + 1);
+    const Eigen::VectorXd ends = Eigen::VectorXd::Random(n);
+    const Eigen::VectorXd solved = (Eigen::MatrixXd::Identity(n, n) - p.leftCols(n))
+                                       .partialPivLu()
+                                       .solve(Eigen::VectorXd(p.col(n).cwiseProduct(ends)));
+    EXPECT_LT((expected_ends(p, ends) - solved).norm(), 1e-13);
+  }
+}
+
+TEST(StateReduction, ExpectsTheSameFromStatesThatHardlyEverLeave) {
+  for (const double a : {1e-6, 1e-12, 1e-30}) {
+    Transitions p(2, 3);
+    p << 1 - a, a / 2, a / 2, a / 4, 1 - a, 3 * a / 4;
+    const Eigen::VectorXd ends = expected_ends(p, Eigen::Vector2d(7, 7));
+    EXPECT_NEAR(ends[0], 7, 1e-14);
+    EXPECT_NEAR(ends[1], 7, 1e-14);
+  }
+}
+
 }  // namespace
 }  // namespace folk

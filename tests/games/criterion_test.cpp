@@ -40,6 +40,36 @@ TEST(Criterion, TakesTheEndsOfItsRanges) {
     EXPECT_EQ(Criterion::parse(text).to_string(), text);
 }
 
+TEST(Criterion, KeepsWhatWasWritten) {
+  EXPECT_EQ(Criterion::parse("discounted:0.9").exact_continuation(), Rational(9, 10));
+  EXPECT_EQ(Criterion::discounted(0.9), Criterion::parse("discounted:9/10"));
+  EXPECT_EQ(Criterion::parse("discounted:2/3").exact_continuation(), Rational(2, 3));
+  EXPECT_EQ(Criterion::parse("discounted:4/6").to_string(), "discounted:2/3");
+  EXPECT_EQ(Criterion::parse("discounted:1/2").to_string(), "discounted:0.5");
+  EXPECT_DOUBLE_EQ(Criterion::parse("discounted:2/3").continuation(), 2.0 / 3);
+  EXPECT_EQ(Criterion::parse("ending:1/3").exact_continuation(), Rational(2, 3));
+  EXPECT_EQ(Criterion::parse("ending:1e-15").exact_continuation(), 1 - parse_rational("1e-15"));
+  EXPECT_EQ(Criterion::parse("ending:1").exact_continuation(), 0);
+  EXPECT_EQ(Criterion::mean().exact_continuation(), 1);
+  // More digits than a double holds.
+  const auto fine = Criterion::parse("discounted:0.1234567890123456789");
+  EXPECT_EQ(fine.exact_continuation(), parse_rational("0.1234567890123456789"));
+  EXPECT_EQ(Criterion::parse(fine.to_string()), fine);
+  for (const char* text : {"discounted:3/2", "discounted:-1/2", "discounted:0/5", "discounted:1/1", "ending:3/2",
+                           "ending:0/1", "ending:1/2000000000000000", "discounted:0.99999999999999999999"})
+    expect_error<UsageError>([&] { Criterion::parse(text); }, "expected");
+  for (const char* text : {"discounted:1/0", "discounted:1/", "discounted:/2", "ending:1/x", "ending:0.5/2"})
+    EXPECT_THROW(Criterion::parse(text), UsageError) << text;
+}
+
+RC_GTEST_PROP(Criterion, FractionsAreReadBack, ()) {
+  const auto below = *rc::gen::inRange<std::int64_t>(2, 1'000'000);
+  const auto above = *rc::gen::inRange<std::int64_t>(1, below);
+  for (const Criterion& criterion :
+       {Criterion::discounted(Rational(above, below)), Criterion::ending(Rational(above, below))})
+    RC_ASSERT(Criterion::parse(criterion.to_string()) == criterion);
+}
+
 TEST(Criterion, RefusesWrongValues) {
   for (const char* text : {"",
                            ":",

@@ -1,5 +1,5 @@
 #include <folk/analysis/bayes_player.h>
-#include <folk/analysis/best_reply.h>
+#include <folk/analysis/finite_best_reply.h>
 #include <folk/games/error.h>
 #include <folk/sct/aggregation.h>
 #include <folk/strategies/registry.h>
