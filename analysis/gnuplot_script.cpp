@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 #include <numeric>
 
 namespace folk::gnuplot {
@@ -84,10 +85,28 @@ std::string terminal(PictureFormat format, double width, double height) {
       width / 96, height / 96);
 }
 
+constexpr const char* package = "gnuplot-nox";
+
+/// gnuplot ends well on a full disk too: what it wrote must have the end that its format has.
+void require_whole(const fs::path& written, PictureFormat format, const fs::path& path) {
+  const std::string_view end = format == PictureFormat::svg   ? "</svg>"
+                               : format == PictureFormat::png ? "IEND"
+                                                              : "%%EOF";
+  constexpr std::streamoff longest_tail = 32;
+  std::ifstream file(written, std::ios::binary | std::ios::ate);
+  const std::streamoff size = file ? std::streamoff{file.tellg()} : 0;
+  std::string tail(static_cast<std::size_t>(std::clamp<std::streamoff>(size, 0, longest_tail)), ' ');
+  file.seekg(size - static_cast<std::streamoff>(tail.size()));
+  file.read(tail.data(), static_cast<std::streamsize>(tail.size()));
+  if (tail.find(end) == std::string::npos)
+    throw EnvironmentError(fmt::format("{}: gnuplot did not write it to its end: is the disk full?", path.string()));
+}
+
 }  // namespace
 
 std::string text_literal(std::string_view text) {
   std::string out = "'";
+  if (text.starts_with("'")) out += ' ';  // gnuplot does not read two quotes right after the first
   for (const auto& character : characters(text)) out += character == "'" ? "''" : character;
   return out + "'";
 }
@@ -136,6 +155,24 @@ std::string name_tics(std::string_view axis, const std::vector<std::string>& nam
   for (std::size_t i = 0; i < names.size(); ++i)
     text += fmt::format("{}{} {}", i == 0 ? "" : ", ", tic_literal(shortened(names[i], longest_name)), i);
   return text + fmt::format(") scale 0 font ',{}' textcolor rgb 'black' {}\n", font, options);
+}
+
+PictureFormat picture_format(const fs::path& path) {
+  const std::string extension = path.extension().string();
+  for (const auto format : {PictureFormat::svg, PictureFormat::png, PictureFormat::pdf})
+    if (extension == "." + to_string(format)) return format;
+  throw UsageError(fmt::format("{}: a plot's file name ends in .svg, .png or .pdf", path.string()));
+}
+
+void require_gnuplot() { run_renderer({"gnuplot", "--version"}, "", package); }
+
+void draw_script(const fs::path& path, const std::function<std::string(PictureFormat, const fs::path&)>& script) {
+  const PictureFormat format = picture_format(path);
+  draw_file(path, [&](const fs::path& temporary) {
+    // -d: whatever a user's own .gnuplot sets, the picture is the same.
+    run_renderer({"gnuplot", "-d", "-"}, script(format, temporary), package);
+    require_whole(temporary, format, path);
+  });
 }
 
 }  // namespace folk::gnuplot

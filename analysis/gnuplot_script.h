@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,5 +53,16 @@ std::string opening(PictureFormat format, const std::filesystem::path& output, c
 /// The names as the labels of an axis ("ytics") at 0, 1, 2...
 std::string name_tics(std::string_view axis, const std::vector<std::string>& names, double font,
                       std::string_view options);
+
+/// The format that a picture's file name asks for. Throws UsageError unless it ends in .svg, .png or .pdf.
+PictureFormat picture_format(const std::filesystem::path& path);
+
+/// Throws RendererMissing where gnuplot is not installed.
+void require_gnuplot();
+
+/// Has gnuplot draw what `script` says to a file; a failure leaves no half picture. Throws UsageError as
+/// picture_format, RendererMissing without gnuplot, EnvironmentError when it fails or the file cannot be written.
+void draw_script(const std::filesystem::path& path,
+                 const std::function<std::string(PictureFormat, const std::filesystem::path& output)>& script);
 
 }  // namespace folk::gnuplot

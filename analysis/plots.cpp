@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <string_view>
 #include <utility>
 
@@ -25,8 +24,6 @@ void check(std::size_t strategies) {
         fmt::format("{} strategies are too many for a picture: at most {}; choose fewer or use the CSV files",
                     strategies, most_plotted));
 }
-
-constexpr const char* package = "gnuplot-nox";
 
 // ---- Heat map ------------------------------------------------------------------------------------------------------
 
@@ -282,50 +279,18 @@ std::string box_plot_script(const BoxPlot& plot, PictureFormat format, const fs:
          box_layers(boxes) + "set output\n";
 }
 
-namespace {
-
-PictureFormat format_of(const fs::path& path) {
-  const std::string extension = path.extension().string();
-  for (const auto format : {PictureFormat::svg, PictureFormat::png, PictureFormat::pdf})
-    if (extension == "." + to_string(format)) return format;
-  throw UsageError(fmt::format("{}: a plot's file name ends in .svg, .png or .pdf", path.string()));
-}
-
-/// gnuplot ends well on a full disk too: what it wrote must have the end that its format has.
-void require_whole(const fs::path& written, PictureFormat format, const fs::path& path) {
-  const std::string_view end = format == PictureFormat::svg   ? "</svg>"
-                               : format == PictureFormat::png ? "IEND"
-                                                              : "%%EOF";
-  constexpr std::streamoff longest_tail = 32;
-  std::ifstream file(written, std::ios::binary | std::ios::ate);
-  const std::streamoff size = file ? std::streamoff{file.tellg()} : 0;
-  std::string tail(static_cast<std::size_t>(std::clamp<std::streamoff>(size, 0, longest_tail)), ' ');
-  file.seekg(size - static_cast<std::streamoff>(tail.size()));
-  file.read(tail.data(), static_cast<std::streamsize>(tail.size()));
-  if (tail.find(end) == std::string::npos)
-    throw EnvironmentError(fmt::format("{}: gnuplot did not write it to its end: is the disk full?", path.string()));
-}
-
-template <class Picture>
-void draw_with(const Picture& picture, const fs::path& path,
-               std::string (*script)(const Picture&, PictureFormat, const fs::path&)) {
-  const PictureFormat format = format_of(path);
-  draw_file(path, [&](const fs::path& temporary) {
-    // -d: whatever a user's own .gnuplot sets, the picture is the same.
-    run_renderer({"gnuplot", "-d", "-"}, script(picture, format, temporary), package);
-    require_whole(temporary, format, path);
-  });
-}
-
-}  // namespace
-
 void require_plotter(std::size_t strategies) {
   check(strategies);
-  run_renderer({"gnuplot", "--version"}, "", package);
+  require_gnuplot();
 }
 
-void draw(const HeatMap& map, const fs::path& path) { draw_with(map, path, heat_map_script); }
+void draw(const HeatMap& map, const fs::path& path) {
+  draw_script(path, [&](PictureFormat format, const fs::path& output) { return heat_map_script(map, format, output); });
+}
 
-void draw(const BoxPlot& plot, const fs::path& path) { draw_with(plot, path, box_plot_script); }
+void draw(const BoxPlot& plot, const fs::path& path) {
+  draw_script(path,
+              [&](PictureFormat format, const fs::path& output) { return box_plot_script(plot, format, output); });
+}
 
 }  // namespace folk

@@ -1,6 +1,9 @@
 // ipd-tournament: the round robin of a roster.
 
+#include "criterion_option.h"
 #include "game_option.h"
+#include "invasion_output.h"
+#include "output_folder.h"
 #include "play_options.h"
 #include "program.h"
 #include "progress.h"
@@ -13,14 +16,9 @@
 #include <folk/strategies/registry.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <iostream>
 #include <optional>
-#include <system_error>
 #include <thread>
-
-#include <unistd.h>
 
 namespace folk::tools {
 namespace {
@@ -42,35 +40,18 @@ Program program() {
   add("strategies", text()->default_value("classics"), "the roster: SPEC");
   add("include", text(), "SPEC of entrants beside the roster; payoffs are normalised by the roster alone");
   add("exclude", text(), "SPEC of strategies to leave out");
-  add("rounds", text(), "rounds of a match (default 100); the same as --criterion finite:N");
-  add("criterion", text(), "finite:T (sum), discounted:d (normalised by 1-d), mean, ending:p (expected sum)");
-  add("end-probability", text(), "each round is the last with this probability; the same as --criterion ending:p");
+  add_criterion_options(program.options);
   add("noise", text()->default_value("0"), "each move flips with this probability, from 0 to 1");
   add_game_options(program.options);
   add_play_options(program.options);
   add("no-self-play", "nobody meets its own copy");
+  add("invasion", "also tell who can invade whom, and who is evolutionarily stable");
   add("repetitions", text(), "matches of a pair that can only be sampled (default 100)");
   add("seed", text(), "of all random numbers (default 1)");
   add("threads", text(), "threads (default: one a processor); the results do not depend on it");
   add("output", text(), "folder for ranking.csv, scores.csv, cooperation.csv, beliefs.csv, summary.json");
   add("plot", text()->implicit_value("svg"), "svg or png: also draw payoffs, cooperation and scores into --output");
   return program;
-}
-
-Criterion criterion_of(const po::variables_map& values) {
-  std::optional<Criterion> chosen;
-  const auto choose = [&](const char* option, const Criterion& criterion) {
-    if (chosen && !(*chosen == criterion))
-      throw UsageError(fmt::format("--{} says {}, another option says {}: give one of them", option,
-                                   criterion.to_string(), chosen->to_string()));
-    chosen = criterion;
-  };
-  if (values.count("rounds") != 0) choose("rounds", Criterion::finite(parse_rounds(text_option(values, "rounds"))));
-  if (values.count("criterion") != 0) choose("criterion", Criterion::parse(text_option(values, "criterion")));
-  if (values.count("end-probability") != 0)
-    choose("end-probability",
-           Criterion::ending(parse_number(text_option(values, "end-probability"), "--end-probability", 0, 1)));
-  return chosen.value_or(Criterion::finite(100));
 }
 
 /// The roster less what is excluded; the included entrants follow it.
@@ -97,20 +78,6 @@ Field field_of(const po::variables_map& values, const Payoffs& payoffs) {
   return field;
 }
 
-/// Made before anything is played: what cannot be written should not be waited for.
-std::optional<std::filesystem::path> output_folder(const po::variables_map& values) {
-  if (values.count("output") == 0) return std::nullopt;
-  std::filesystem::path folder = text_option(values, "output");
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (!std::filesystem::is_directory(folder))
-    throw EnvironmentError(fmt::format("--output '{}': no folder of that name can be made: {}", folder.string(),
-                                       error ? error.message() : "a file has it"));
-  if (::access(folder.c_str(), W_OK | X_OK) != 0)
-    throw EnvironmentError(fmt::format("--output '{}': cannot be written: {}", folder.string(), std::strerror(errno)));
-  return folder;
-}
-
 /// svg, png or nothing, once it is clear that so many strategies can be drawn here.
 std::optional<std::string> picture_extension(const po::variables_map& values, std::size_t strategies) {
   if (values.count("plot") == 0) return std::nullopt;
@@ -119,6 +86,7 @@ std::optional<std::string> picture_extension(const po::variables_map& values, st
     throw UsageError(fmt::format("--plot '{}': expected svg or png", extension));
   if (values.count("output") == 0) throw UsageError("--plot needs a folder for its pictures: give --output DIR");
   require_plotter(strategies);
+  if (values.count("invasion") != 0) require_invasion_drawing(strategies);
   return extension;
 }
 
@@ -126,13 +94,15 @@ int tournament(const po::variables_map& values, const Common& common) {
   const ChosenGame game = chosen_game(values);
   TournamentSettings settings;
   settings.payoffs = game.payoffs;
-  settings.criterion = criterion_of(values);
+  settings.criterion = chosen_criterion(values);
   settings.noise = parse_number(text_option(values, "noise"), "--noise", 0, 1);
   settings.self_play = values.count("no-self-play") == 0;
   settings.repetitions = whole_option(values, "repetitions", 100, 1, 10'000'000);
   settings.seed = whole_option(values, "seed", 1, 0, ~std::uint64_t{0});
   settings.threads =
       static_cast<unsigned>(whole_option(values, "threads", std::max(1U, std::thread::hardware_concurrency()), 1, 256));
+  if (values.count("invasion") != 0 && !settings.self_play)
+    throw UsageError("--invasion needs what each earns against its own copy: leave out --no-self-play");
   auto [entrants, core] = field_of(values, game.payoffs);
   const auto extension = picture_extension(values, entrants.size());
   const auto folder = output_folder(values);
@@ -144,14 +114,22 @@ int tournament(const po::variables_map& values, const Common& common) {
   progress.reset();
 
   const TournamentLabels labels{text_option(values, "strategies"), text_option(values, "include"), game.title};
+  const auto found = values.count("invasion") != 0 ? std::optional<Invasions>(result) : std::nullopt;
+  const Invasions* invasions = found ? &*found : nullptr;
   if (folder) {
-    write_files(*folder, result, labels);
+    write_files(*folder, result, labels, invasions);
     if (extension) draw_pictures(*folder, result, *extension);
+    if (extension && invasions != nullptr)
+      draw_invasion(*folder / ("invasion." + *extension), result, *invasions,
+                    fmt::format("{}, {}", labels.roster, settings.criterion.to_string()));
   }
   switch (common.format) {
-    case Format::text: write_text(std::cout, result, labels); break;
-    case Format::csv: write_ranking_csv(std::cout, result); break;
-    case Format::json: write_json(std::cout, result, labels, true); break;
+    case Format::text:
+      write_text(std::cout, result, labels);
+      if (invasions != nullptr) write_invasion_text(std::cout, result, *invasions);
+      break;
+    case Format::csv: write_ranking_csv(std::cout, result, invasions); break;
+    case Format::json: write_json(std::cout, result, labels, true, invasions); break;
   }
   return done;
 }

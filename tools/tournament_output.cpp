@@ -1,6 +1,7 @@
 #include "tournament_output.h"
 
 #include "csv.h"
+#include "invasion_output.h"
 #include "table.h"
 
 #include <fmt/format.h>
@@ -211,20 +212,23 @@ void write_text(std::ostream& out, const Tournament& tournament, const Tournamen
   out << fmt::format("signature {:016x}\n", tournament.signature());
 }
 
-void write_ranking_csv(std::ostream& out, const Tournament& tournament) {
+void write_ranking_csv(std::ostream& out, const Tournament& tournament, const Invasions* invasions) {
   out << "rank,strategy,total,mean,median,wins,cooperation_rate,normalised,method,confidence_95,belief_accuracy,"
-         "total_against_roster\n";
+         "total_against_roster"
+      << (invasions != nullptr ? fmt::format(",{}", invasion_csv_columns) : "") << '\n';
   fmt::memory_buffer rows;
   for (const auto& entry : tournament.ranking())
-    fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{},{},{}\n", entry.rank,
+    fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{},{},{}{}\n", entry.rank,
                    csv_field(tournament.name(entry.entrant)), exact(entry.total), entry.mean, entry.median, entry.wins,
                    entry.cooperation_rate, csv_number(entry.normalised), to_string(entry.method),
                    csv_number(confidence(tournament, entry)), csv_number(entry.belief_accuracy),
-                   exact(entry.total_against_roster));
+                   exact(entry.total_against_roster),
+                   invasions != nullptr ? "," + invasion_csv_fields(*invasions, entry.entrant) : "");
   out.write(rows.data(), static_cast<std::streamsize>(rows.size()));
 }
 
-void write_json(std::ostream& out, const Tournament& tournament, const TournamentLabels& labels, bool with_matrices) {
+void write_json(std::ostream& out, const Tournament& tournament, const TournamentLabels& labels, bool with_matrices,
+                const Invasions* invasions) {
   const auto& settings = tournament.settings();
   out << fmt::format("{{\n  \"game\": {},\n  \"payoffs\": {},\n  \"criterion\": \"{}\",\n  \"rounds\": {},\n",
                      json_string(labels.game), payoffs_of(settings.payoffs), settings.criterion.to_string(),
@@ -257,11 +261,13 @@ void write_json(std::ostream& out, const Tournament& tournament, const Tournamen
     else
       out << ",\n  \"belief_accuracy\": null";
   }
+  if (invasions != nullptr) write_invasion_json(out, *invasions);
   out << "\n}\n";
 }
 
-void write_files(const fs::path& folder, const Tournament& tournament, const TournamentLabels& labels) {
-  write_file(folder / "ranking.csv", [&](std::ostream& out) { write_ranking_csv(out, tournament); });
+void write_files(const fs::path& folder, const Tournament& tournament, const TournamentLabels& labels,
+                 const Invasions* invasions) {
+  write_file(folder / "ranking.csv", [&](std::ostream& out) { write_ranking_csv(out, tournament, invasions); });
   write_file(folder / "scores.csv", [&](std::ostream& out) {
     write_csv_matrix(out, tournament, [&](std::size_t i, std::size_t j) { return tournament.score(i, j); });
   });
@@ -270,7 +276,10 @@ void write_files(const fs::path& folder, const Tournament& tournament, const Tou
   });
   if (tournament.has_beliefs())
     write_file(folder / "beliefs.csv", [&](std::ostream& out) { write_beliefs_csv(out, tournament); });
-  write_file(folder / "summary.json", [&](std::ostream& out) { write_json(out, tournament, labels, false); });
+  if (invasions != nullptr)
+    write_file(folder / "invasion.csv", [&](std::ostream& out) { write_invasion_csv(out, tournament, *invasions); });
+  write_file(folder / "summary.json",
+             [&](std::ostream& out) { write_json(out, tournament, labels, false, invasions); });
 }
 
 void draw_pictures(const fs::path& folder, const Tournament& tournament, const std::string& extension) {

@@ -121,6 +121,53 @@ class Diff(unittest.TestCase):
             self.assertGreater(found["depth"], 60)
 
 
+class Reply(unittest.TestCase):
+    def test_the_best_reply_is_exact_and_can_be_played(self):
+        found = result("reply", "pavlov", "--criterion", "discounted:0.9")
+        self.assertEqual((found["exact"], found["residual"], found["horizon"]), ("59/19", 0, None))
+        found = result("reply", "gradual", "--rounds", "100")
+        self.assertEqual(found["payoff"], 304)
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "reply"
+            path.write_text(found["machine"])
+            match = subprocess.run([PROGRAM.parent / "ipd-match", f"@{path}", "gradual", "--rounds", "100", "--format",
+                                    "json"], capture_output=True, text=True, timeout=60)
+            self.assertIn("304", match.stdout)
+        self.assertTrue(text("reply", "tit_for_tat").startswith("best reply to tit_for_tat (T=5,R=3,P=1,S=0, finite:100"))
+
+    def test_a_machine_without_end_is_bounded_by_a_horizon(self):
+        found = result("reply", "soft_majo", "--criterion", "discounted:0.9", "--horizon", "50")
+        self.assertEqual((found["horizon"], found["exact"] is None), (50, False))
+        self.assertIn("at least", text("reply", "soft_majo", "--criterion", "discounted:0.9", "--horizon", "50"))
+
+    def test_a_memory_one_reply_comes_with_what_was_searched(self):
+        arguments = ("reply", "tit_for_tat,pavlov,all_d", "--memory-one", "--criterion", "mean")
+        found = result(*arguments)
+        self.assertEqual(found["strategy"], "mem1(c;1,0,1,0)")
+        self.assertAlmostEqual(found["payoff"], 7 / 3)
+        self.assertEqual([o["name"] for o in found["opponents"]], ["tit_for_tat", "pavlov", "all_d"])
+        certificate = found["certificate"]
+        self.assertEqual(certificate["faces"], 162)
+        self.assertGreater(certificate["points"], 1000)
+        self.assertAlmostEqual(certificate["unrestricted"], found["payoff"])
+        shown = text(*arguments)
+        self.assertTrue(shown.startswith("best memory-one reply found to tit_for_tat,pavlov,all_d ("))
+        self.assertEqual(shown, text(*arguments, "--threads", "3"))
+        row = next(csv.DictReader(io.StringIO(text(*arguments, "--format", "csv"))))
+        self.assertEqual((row["strategy"], float(row["payoff"])), (found["strategy"], found["payoff"]))
+
+    def test_the_reply_found_earns_its_payoff_in_a_tournament(self):
+        spec = "hard_tft,slow_tft,gtft(0.3),zd_extort(3)"
+        found = result("reply", spec, "--memory-one", "--criterion", "discounted:0.9")
+        done = subprocess.run([PROGRAM.parent / "ipd-tournament", "--strategies", spec, "--include", found["strategy"],
+                               "--criterion", "discounted:0.9", "--format", "json"], capture_output=True, text=True,
+                              timeout=60)
+        scores = json.loads(done.stdout)["scores"][-1][:-1]
+        self.assertAlmostEqual(sum(scores) / len(scores), found["payoff"], places=9)
+        self.assertGreaterEqual(found["payoff"], found["certificate"]["best_deterministic_payoff"])
+        self.assertLessEqual(found["payoff"], found["certificate"]["unrestricted"])
+
+
 class Refusals(unittest.TestCase):
     def refused(self, code, pattern, *arguments):
         done = run(*arguments)
@@ -130,8 +177,15 @@ class Refusals(unittest.TestCase):
         self.assertRegex(done.stderr, pattern)
 
     def test_wrong_usage(self):
-        self.refused(2, "list, show NAME or diff A B")
-        self.refused(2, "'draw': expected list, show NAME or diff A B", "draw")
+        self.refused(2, "list, show NAME, diff A B or reply OPPONENTS")
+        self.refused(2, "'draw': expected list, show NAME, diff A B or reply OPPONENTS", "draw")
+        self.refused(2, "reply takes one SPEC", "reply")
+        self.refused(2, "stands for 17 strategies", "reply", "classics")
+        self.refused(2, "give a --horizon", "reply", "soft_majo", "--criterion", "discounted:0.9")
+        self.refused(2, "infinitely many states", "reply", "soft_majo", "--criterion", "mean", "--memory-one")
+        self.refused(2, "--horizon does not go", "reply", "pavlov", "--horizon", "9", "--memory-one")
+        self.refused(2, "opaque player", "reply", "pavlov,exec:cat", "--memory-one")
+        self.refused(2, "--noise", "reply", "pavlov", "--noise", "2")
         self.refused(2, "show takes one name", "show")
         self.refused(2, "diff takes two names", "diff", "pavlov")
         self.refused(2, "did you mean mistrust", "show", "mistrst")

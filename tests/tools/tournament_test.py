@@ -466,6 +466,41 @@ class Files(unittest.TestCase):
         self.assertIn("all_c", (self.folder / "payoffs.svg").read_text())
 
 
+class Invasion(unittest.TestCase):
+    ROSTER = ("--strategies", "all_c,all_d,tit_for_tat", "--rounds", "10", "--invasion")
+
+    def test_stability_in_every_form(self):
+        stability = ["invaded", "evolutionarily stable", "neutrally stable"]
+        invasion = result(*self.ROSTER)["invasion"]
+        self.assertEqual(invasion["stability"], stability)
+        self.assertEqual(invasion["rows"], [".sw", "-.-", "w-."])
+        rows = {row["strategy"]: row for row in csv.DictReader(io.StringIO(output(*self.ROSTER, "--format", "csv")))}
+        self.assertEqual([rows[name]["stability"] for name in ("all_c", "all_d", "tit_for_tat")], stability)
+        self.assertEqual((rows["all_c"]["invaded_strictly"], rows["all_c"]["invaded_weakly"]), ("1", "1"))
+        self.assertRegex(output(*self.ROSTER), r"\nall_c +invaded +1 +0 +all_d\n")
+
+    def test_without_it_nothing_changes(self):
+        plain = ("--strategies", "all_c,all_d,tit_for_tat", "--rounds", "10")
+        self.assertNotIn("invasion", result(*plain))
+        self.assertTrue(output(*self.ROSTER).startswith(output(*plain)))
+
+    def test_files_and_graph(self):
+        with tempfile.TemporaryDirectory() as folder:
+            drawn = shutil.which("gnuplot") and shutil.which("dot")
+            output(*self.ROSTER, "--output", folder, *(["--plot"] if drawn else []))
+            rows = table(Path(folder) / "invasion.csv")
+            self.assertEqual(rows[0], ["resident\\mutant", "all_c", "all_d", "tit_for_tat", "stability"])
+            self.assertEqual(rows[1], ["all_c", "", "strictly", "weakly", "invaded"])
+            self.assertIn("invasion", json.loads((Path(folder) / "summary.json").read_text()))
+            if drawn:
+                self.assertIn("all_d", (Path(folder) / "invasion.svg").read_text())
+
+    def test_it_needs_self_play(self):
+        done = run(*self.ROSTER, "--no-self-play")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("own copy", done.stderr)
+
+
 class Documentation(unittest.TestCase):
     def test_its_page_shows_what_the_program_prints(self):
         page = (TREE / "docs" / "ipd-tournament.md").read_text()
