@@ -94,6 +94,8 @@ public:
 
   std::optional<double> belief() const override { return belief_; }
 
+  std::unique_ptr<Player> clone() const override { return std::make_unique<ExactPlayer>(*this); }
+
 private:
   std::shared_ptr<SolvedGames> games_;
   std::shared_ptr<const BayesReply> reply_;
@@ -139,6 +141,8 @@ public:
   }
 
   std::optional<double> belief() const override { return belief_; }
+
+  std::unique_ptr<Player> clone() const override { return std::make_unique<LookaheadPlayer>(*this); }
 
 private:
   Posterior posterior_;

@@ -28,19 +28,20 @@ BeliefEffect effect_in(const Trajectory& match, const Mind& mind) {
 
 }  // namespace
 
-BeliefEffect belief_effect(const std::shared_ptr<const Mind>& mind, const std::vector<Strategy>& roster,
-                           unsigned threads) {
+std::vector<BeliefEffect> belief_effects(const std::shared_ptr<const Mind>& mind, const std::vector<Strategy>& roster,
+                                         unsigned threads) {
   const auto& training = mind->policy.training;
   const auto matches = play_and_record(transformer("policy", mind), roster, training.payoffs, training.rounds, 0, 1,
                                        training.seed, threads);
   std::vector<BeliefEffect> effects(matches.size());
   parallel_for(matches.size(), threads, [&](std::size_t i, unsigned) { effects[i] = effect_in(matches[i], *mind); });
+  return effects;
+}
+
+BeliefEffect belief_effect(const std::shared_ptr<const Mind>& mind, const std::vector<Strategy>& roster,
+                           unsigned threads) {
   BeliefEffect sum;
-  for (const auto& effect : effects) {
-    sum.rounds += effect.rounds;
-    sum.changed_by_c += effect.changed_by_c;
-    sum.changed_by_d += effect.changed_by_d;
-  }
+  for (const auto& effect : belief_effects(mind, roster, threads)) sum += effect;
   return sum;
 }
 

@@ -47,6 +47,18 @@ public:
     return thought_->belief;
   }
 
+  /// What was thought of a window is copied only where the next round's window begins with the same rounds.
+  std::unique_ptr<Player> clone() const override {
+    auto copy = std::make_unique<TransformerPlayer>(name_, mind_, options_);
+    copy->memory_ = memory_;
+    copy->rewards_ = rewards_;
+    copy->random_ = random_;
+    copy->thought_ = thought_;
+    if (memory_.own.size() + (thought_ ? 1 : 0) < mind_->policy.architecture.context && thinker_)
+      copy->thinker_.emplace(*thinker_);
+    return copy;
+  }
+
   /// Equal histories are thought through once.
   void think_together(std::span<Player* const> peers, unsigned threads) override {
     std::vector<TransformerPlayer*> players;
@@ -69,6 +81,7 @@ public:
 
 private:
   void think() {
+    if (!thinker_) thinker_.emplace(*mind_);
     std::optional<std::uint8_t> forced;
     if (options_.forced_belief) forced = static_cast<std::uint8_t>(bit(*options_.forced_belief));
     thought_ = thinker_->think(memory_, forced);

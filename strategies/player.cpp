@@ -26,6 +26,8 @@ public:
 
   void observe(Move own, Move theirs) override { state_ = machine_->next(state_, own, theirs); }
 
+  std::unique_ptr<Player> clone() const override { return std::make_unique<MachinePlayer>(*this); }
+
 private:
   std::shared_ptr<const Machine> machine_;
   State state_ = 0;

@@ -45,6 +45,11 @@ public:
     static_cast<void>(threads);
   }
 
+  /// A second player that stands in the same place of the same match and from here on moves and believes as this one
+  /// would; null where there is no such thing (a program at the other end of a pipe): whoever wants one then tells a
+  /// new player the match from its start.
+  virtual std::unique_ptr<Player> clone() const { return nullptr; }
+
 protected:
   Player() = default;
   Player(const Player&) = default;

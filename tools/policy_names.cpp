@@ -17,12 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 Strategy policy_strategy(const std::string& name, const fs::path& file, const sct::PlayOptions& options) {
-  auto policy = sct::read_policy(file);
-  try {
-    return sct::transformer(name, std::make_shared<const sct::Mind>(std::move(policy)), options);
-  } catch (const UsageError& error) {  // a sound file of a network for something else
-    throw InputFileError(fmt::format("{}: {}", excerpt(file.string(), 1000), error.what()));
-  }
+  return sct::transformer(name, read_mind(file), options);
 }
 
 /// Where the data of this program's installation or build lies.
@@ -33,10 +28,12 @@ fs::path data_folder() {
   return (program.parent_path() / FOLK_DATA_FROM_PROGRAM).lexically_normal();
 }
 
+fs::path shipped_file(const std::string& name) { return data_folder() / "policies" / (name + ".bin"); }
+
 void add_shipped(Registry& registry, const std::string& name, std::string behaviour, const sct::PlayOptions& options) {
   registry.add({name, {}, std::move(behaviour), "Li, Guevara, Xie & Zhu, arXiv 2310.04579; docs/sct-train.md"},
                [name, options](const std::string&, std::string_view, const Payoffs&) {
-                 const fs::path file = data_folder() / "policies" / (name + ".bin");
+                 const fs::path file = shipped_file(name);
                  std::error_code error;
                  if (!fs::exists(file, error))
                    throw InputFileError(
@@ -53,6 +50,23 @@ std::string unquoted(std::string_view text) {
 }
 
 }  // namespace
+
+std::shared_ptr<const sct::Mind> read_mind(const fs::path& file) {
+  auto policy = sct::read_policy(file);
+  try {
+    return std::make_shared<const sct::Mind>(std::move(policy));
+  } catch (const UsageError& error) {  // a sound file of a network for something else
+    throw InputFileError(fmt::format("{}: {}", excerpt(file.string(), 1000), error.what()));
+  }
+}
+
+std::optional<fs::path> policy_file(std::string_view name) {
+  constexpr std::string_view prefix = "sct:";
+  if (name.starts_with(prefix)) return unquoted(name.substr(prefix.size()));
+  for (const std::string shipped : {"sct", "sct-bayes"})
+    if (same_name(name, shipped)) return shipped_file(shipped);
+  return std::nullopt;
+}
 
 void add_policies(Registry& registry, const sct::PlayOptions& options) {
   add_shipped(registry, "sct",

@@ -171,5 +171,25 @@ TEST(BayesPlayer, IsDescribed) {
   EXPECT_TRUE(registry.make("bayes(classics)").deterministic);
 }
 
+TEST(BayesPlayer, ACloneGoesOnAlone) {
+  const auto registry = with_bayes();
+  for (const char* name : {"bayes(tit_for_tat,all_d,all_c)", "bayes(tit_for_tat,all_d,all_c;depth=3)"}) {
+    const auto player = registry.make(name).new_player();
+    player->start({{}, Criterion::finite(20), {}});
+    player->move();
+    player->observe(Move::C, Move::C);
+    const auto copy = player->clone();
+    ASSERT_NE(copy, nullptr);
+    player->move();
+    player->observe(Move::C, Move::D);  // nobody of the roster plays so
+    copy->move();
+    copy->observe(Move::C, Move::C);
+    player->move();
+    copy->move();
+    EXPECT_EQ(*player->belief(), 0.5) << name;
+    EXPECT_EQ(*copy->belief(), 1) << name;
+  }
+}
+
 }  // namespace
 }  // namespace folk

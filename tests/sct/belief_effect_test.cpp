@@ -45,6 +45,18 @@ TEST(BeliefEffect, CountsTheMovesThatAForcedBeliefChanges) {
   EXPECT_GT(all, 0U) << "none of these policies heeds its belief: a poor test";
 }
 
+TEST(BeliefEffect, OfEachOpponentIsItsEffectAlone) {
+  const auto mind = test::playing_mind(test::trainings[0], 3);
+  const auto effects = belief_effects(mind, roster(), 2);
+  ASSERT_EQ(effects.size(), roster().size());
+  BeliefEffect sum;
+  for (std::size_t i = 0; i < effects.size(); ++i) {
+    EXPECT_EQ(effects[i], belief_effect(mind, {roster()[i]})) << roster()[i].name;
+    sum += effects[i];
+  }
+  EXPECT_EQ(sum, belief_effect(mind, roster()));
+}
+
 TEST(BeliefEffect, ThereIsNoneWhereTheActionDoesNotReadTheBelief) {
   for (const auto& training : test::trainings) {
     if (training.readout != Readout::own) continue;

@@ -107,6 +107,30 @@ TEST_P(TransformerTest, MovesAndBeliefsAreTheThinkers) {
   }
 }
 
+/// Before and after a move, in rounds whose window still grows and in those whose window slides.
+TEST_P(TransformerTest, AClonePlaysOnAsTheOriginal) {
+  for (std::uint64_t parting = 0; parting < trained_rounds; ++parting)
+    for (const bool moved : {false, true}) {
+      test::Draw draw(parting + 1);
+      const auto original = sct.new_player();
+      original->start(match_of());
+      std::unique_ptr<Player> copy;
+      for (std::uint64_t t = 0; t < trained_rounds; ++t) {
+        if (t == parting && !moved) copy = original->clone();
+        const Move own = original->move();
+        if (t == parting && moved) copy = original->clone();
+        if (copy) {
+          EXPECT_EQ(copy->move(), own);
+          EXPECT_EQ(copy->belief(), original->belief()) << "round " << t << ", cloned in round " << parting;
+        }
+        const Move played = draw.chance(0.1) ? other(own) : own;
+        const Move theirs = draw.chance(0.5) ? Move::C : Move::D;
+        original->observe(played, theirs);
+        if (copy) copy->observe(played, theirs);
+      }
+    }
+}
+
 /// Twelve matches of which some begin alike and part later: companions that know each other's thoughts must go on
 /// rightly when they are alone again.
 TEST_P(TransformerTest, ThinksTogetherAsAloneOnAnyThreads) {

@@ -1,0 +1,185 @@
+"""sce-check as its users type it."""
+
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+BIN = pathlib.Path(os.environ["FOLK_BIN"])
+
+
+def run(*arguments):
+    return subprocess.run([BIN / "sce-check", *arguments], capture_output=True, text=True, check=False)
+
+
+def check(*arguments):
+    done = run(*arguments, "--format", "json")
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout)
+
+
+def itself(name, *arguments):
+    """The one report of a strategy against itself."""
+    return check(name, name, *arguments)["opponents"][0]
+
+
+class KnownEquilibria(unittest.TestCase):
+    """At T,R,P,S = 5,3,1,0, each against itself: what a student can work out by hand (docs/equilibrium.md)."""
+
+    def thresholds(self, name, *arguments):
+        return itself(name, "--criterion", "discounted:0.6", *arguments)["thresholds_exact"]
+
+    def test_spiteful_is_subgame_perfect_from_one_half(self):
+        self.assertEqual(self.thresholds("spiteful")["subgame_perfect"], [["1/2", "1"]])
+
+    def test_tit_for_tat_is_nash_from_two_thirds_and_never_perfect(self):
+        sets = self.thresholds("tit_for_tat")
+        self.assertEqual(sets["nash"], [["2/3", "1"]])
+        self.assertEqual(sets["subgame_perfect"], [])
+
+    def test_pavlov_is_never_nash_but_its_path_is_self_confirming(self):
+        sets = self.thresholds("pavlov")
+        self.assertEqual(sets["nash"], [])
+        self.assertEqual(sets["self_confirming_unrestricted"], [["1/2", "1"]])
+        verdict = itself("pavlov", "--criterion", "discounted:0.6", "--class", "classics")["verdicts"]
+        self.assertEqual(verdict["self_confirming_class"]["word"], "certified")
+        self.assertEqual(verdict["self_confirming_class"]["witness"], "spiteful")
+        self.assertEqual(verdict["nash"]["word"], "refuted")
+
+    def test_all_d_is_everything(self):
+        sets = self.thresholds("all_d")
+        for notion in ("nash", "subgame_perfect", "self_confirming_unrestricted"):
+            self.assertEqual(sets[notion], [["0", "1"]])
+
+    def test_grudger_is_nash_from_one_half_and_never_perfect(self):
+        sets = self.thresholds("grudger")
+        self.assertEqual(sets["nash"], [["1/2", "1"]])
+        self.assertEqual(sets["subgame_perfect"], [])
+
+    def test_pavlov_is_perfect_where_temptation_is_small(self):
+        sets = self.thresholds("pavlov", "--payoffs", "T=4,R=3,P=1,S=0")
+        self.assertEqual(sets["subgame_perfect"], [["1/2", "1"]])
+
+    def test_cooperation_that_ends_is_not_self_confirming(self):
+        report = itself("tit_for_tat", "--criterion", "finite:100")
+        self.assertEqual(report["gaps"]["own"]["self_confirming_unrestricted"], 2)
+        self.assertEqual(report["rounds"], 100)
+        self.assertEqual(itself("all_d")["gaps"]["own"]["self_confirming_unrestricted"], 0)
+
+    def test_pavlov_is_nash_under_the_mean(self):
+        self.assertEqual(itself("pavlov", "--criterion", "mean")["gaps"]["own"]["nash"], 0)
+
+
+class Report(unittest.TestCase):
+    def test_side_own_asks_for_the_policy_alone(self):
+        both = check("all_d", "all_c")["opponents"][0]["verdicts"]["nash"]
+        own = check("all_d", "all_c", "--side", "own")["opponents"][0]["verdicts"]["nash"]
+        self.assertEqual((both["word"], both["side"]), ("refuted", "theirs"))
+        self.assertEqual(own["word"], "certified")
+
+    def test_require_decides_the_exit_code(self):
+        nash = ("--criterion", "discounted:0.7", "--require", "nash")
+        self.assertEqual(run("tit_for_tat", "tit_for_tat", *nash).returncode, 0)
+        failed = run("pavlov", "pavlov", *nash)
+        self.assertEqual(failed.returncode, 1)
+        self.assertIn("nash does not hold", failed.stderr)
+        self.assertIn("refuted", failed.stdout)
+
+    def test_mixing_machines_list_their_situations(self):
+        report = check("random(0.5)", "tit_for_tat", "--criterion", "discounted:0.9")["opponents"][0]
+        self.assertIsNone(report["path"])
+        self.assertEqual(len(report["information_states"]), 2)
+        self.assertIsNone(report["thresholds"])
+        self.assertGreater(report["gaps"]["own"]["nash"], 0)
+
+    def test_csv_has_a_row_for_each_opponent(self):
+        done = run("tit_for_tat", "--opponents", "classics", "--format", "csv")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        rows = done.stdout.splitlines()
+        self.assertEqual(len(rows), 18)
+        self.assertTrue(all(row.count(",") == rows[0].count(",") for row in rows))
+
+    def test_policy_without_metadata_of_its_own_meets_the_classics(self):
+        report = check("tit_for_tat", "--criterion", "finite:10")
+        self.assertEqual(len(report["opponents"]), 17)
+
+
+class Transformer(unittest.TestCase):
+    """The shipped policy on a few opponents; the whole reports are in docs/."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.report = check("sct", "--opponents", "all_d,pavlov", "--depth", "3")
+
+    def test_beliefs_and_their_effect(self):
+        all_d, pavlov = self.report["opponents"]
+        self.assertEqual(pavlov["belief"]["accuracy"], 1)
+        self.assertEqual(pavlov["belief"]["wrong_rounds"], [])
+        self.assertLess(all_d["belief"]["accuracy"], 1)
+        self.assertEqual(all_d["belief_effect"]["rounds"], 100)
+        self.assertEqual(len(pavlov["path"]["own"]), 100)
+
+    def test_gaps(self):
+        all_d, pavlov = self.report["opponents"]
+        self.assertEqual(pavlov["gaps"]["own"]["nash"], 2)
+        self.assertEqual(all_d["gaps"]["own"]["nash"], 100 - all_d["score"]["own"])
+        for report in (all_d, pavlov):
+            self.assertIsNone(report["gaps"]["own"]["subgame_perfect"])
+            self.assertGreaterEqual(report["gaps"]["own"]["self_confirming_own"], 0)
+            self.assertLessEqual(report["gaps"]["own"]["self_confirming_unrestricted"], report["gaps"]["own"]["nash"])
+        self.assertIsNone(pavlov["thresholds"])
+
+    def test_policy_file_by_its_path(self):
+        done = run("sct:nowhere.bin")
+        self.assertEqual(done.returncode, 3)
+        with tempfile.TemporaryDirectory() as folder:
+            broken = pathlib.Path(folder) / "broken.bin"
+            broken.write_bytes(b"\x00" * 100)
+            done = run(str(broken))
+            self.assertEqual(done.returncode, 3)
+            self.assertEqual(len(done.stderr.splitlines()), 1)
+
+    def test_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done = run("sct", "tit_for_tat", "--depth", "1", "--extract", "--output", folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            names = {path.name for path in pathlib.Path(folder).iterdir()}
+            self.assertIn("report.html", names)
+            self.assertIn("sct_extracted.machines", names)
+            json.loads((pathlib.Path(folder) / "report.json").read_text())
+            again = run(f"@{folder}/sct_extracted.machines", "tit_for_tat", "--criterion", "discounted:0.9")
+            self.assertEqual(again.returncode, 0, again.stderr)
+
+
+class BadInput(unittest.TestCase):
+    def refused(self, code, *arguments):
+        done = run(*arguments)
+        self.assertEqual(done.returncode, code, done.stderr)
+        self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+        self.assertEqual(done.stdout, "")
+        return done.stderr
+
+    def test_one_line_each(self):
+        self.assertIn("no policy named", self.refused(2))
+        self.assertIn("--horizon", self.refused(2, "gradual", "pavlov", "--criterion", "discounted:0.9"))
+        self.assertIn("gradual", self.refused(2, "gradual", "pavlov", "--criterion", "discounted:0.9"))
+        self.assertIn("--extrapolate", self.refused(2, "sct", "all_d", "--rounds", "200"))
+        self.assertIn("--extrapolate", self.refused(2, "sct", "all_d", "--payoffs", "T=4,R=3,P=1,S=0"))
+        self.assertIn("finite:T", self.refused(2, "sct", "all_d", "--criterion", "mean"))
+        self.assertIn("no machine", self.refused(2, "pavlov", "--class", "sct"))
+        self.assertIn("empty", self.refused(2, "pavlov", "--class", ""))
+        self.assertIn("discount factor", self.refused(2, "pavlov", "--criterion", "discounted:1.5"))
+        self.assertIn("discount factor", self.refused(2, "pavlov", "--criterion", "discounted:nan"))
+        self.assertIn("discount factor", self.refused(2, "pavlov", "--criterion", "discounted:3/2"))
+        self.assertIn("--epsilon-belief", self.refused(2, "pavlov", "--epsilon-belief", "-1"))
+        self.assertIn("--depth", self.refused(2, "pavlov", "--depth", "0"))
+        self.assertIn("--require", self.refused(2, "pavlov", "--require", "peace"))
+        self.assertIn("contradict", self.refused(2, "pavlov", "pavlov", "--opponents", "classics"))
+        self.assertIn("machine already", self.refused(2, "pavlov", "pavlov", "--extract"))
+        self.assertIn("pavlov", self.refused(2, "pavlow"))
+
+
+if __name__ == "__main__":
+    unittest.main()
