@@ -20,15 +20,6 @@ constexpr std::string_view fill_mixed = "#ece8f2";
 /// The outcomes (CC, CD, DC, DD) that lead from one state to another.
 using Outcomes = std::array<bool, 4>;
 
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c == '\n' ? ' ' : c;
-  }
-  return out;
-}
-
 /// Draws one automaton; `caption` comes last because it explains only what was drawn.
 class Drawing {
 public:
@@ -55,7 +46,7 @@ public:
         "  edge [fontname=\"Helvetica\", fontsize=12, arrowsize=0.8];\n"
         "  start [shape=point, width=0.08, label=\"\"];\n"
         "{2}  start -> s{3};\n{4}}}\n",
-        escaped(options_.title), caption(), states, automaton_.start(), edges);
+        dot_text(options_.title), caption(), states, automaton_.start(), edges);
   }
 
 private:
@@ -142,7 +133,7 @@ private:
   }
 
   std::string caption() const {
-    std::string text = escaped(options_.title);
+    std::string text = dot_text(options_.title);
     if (automaton_.beyond()) text += fmt::format(" · first {} rounds", options_.horizon);
     text += own_matters_ ? " · edges: own/their move" : " · edges: their move";
     if (starred_) text += ", * either";
@@ -164,6 +155,15 @@ private:
 };
 
 }  // namespace
+
+std::string dot_text(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c == '\n' ? ' ' : c;
+  }
+  return out;
+}
 
 std::string to_dot(const Automaton& minimised, const DrawingOptions& options) {
   return Drawing(minimised, options).text();

@@ -4,6 +4,7 @@
 #include <folk/strategies/automaton.h>
 
 #include <string>
+#include <string_view>
 
 namespace folk {
 
@@ -20,5 +21,8 @@ struct DrawingOptions {
 /// own move; parallel edges are one. A dashed circle is visited at most once (an opening, or a step on the way to a
 /// state that is never left). The state beyond a horizon is drawn as "…". The caption says which sense the drawing has.
 std::string to_dot(const Automaton& minimised, const DrawingOptions& options);
+
+/// Any text inside the double quotes of the DOT language, on one line.
+std::string dot_text(std::string_view text);
 
 }  // namespace folk

@@ -1,3 +1,4 @@
+#include <folk/analysis/drawing.h>
 #include <folk/analysis/invasion_drawing.h>
 #include <folk/games/error.h>
 
@@ -37,15 +38,6 @@ std::string_view line(Invasion invasion) {
   }
 }
 
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c == '\n' ? ' ' : c;
-  }
-  return out;
-}
-
 /// Strategies in one box.
 using Members = std::vector<std::size_t>;
 
@@ -75,7 +67,7 @@ public:
         "  {0}; fontsize=12; labelloc=b; label=\"\\n{1}\\n{2}\";\n"
         "  node [shape=box, style=\"rounded,filled\", {0}, fontsize=14, penwidth=1.6];\n"
         "  edge [arrowsize=0.7, penwidth=1.1];\n{3}{4}}}\n",
-        font, escaped(title), legend(!inside.empty()), body, arrows());
+        font, dot_text(title), legend(!inside.empty()), body, arrows());
   }
 
 private:
@@ -130,7 +122,7 @@ private:
 
   std::string box(std::size_t b) const {
     std::string label;
-    for (const std::size_t i : boxes_[b]) label += (label.empty() ? "" : "\\n") + escaped(names_[i]);
+    for (const std::size_t i : boxes_[b]) label += (label.empty() ? "" : "\\n") + dot_text(names_[i]);
     return fmt::format("  {}b{} [label=\"{}\", color=\"{}\", fillcolor=\"{}\"];\n", framed_[b] ? "  " : "", b, label,
                        ink(b), fill(invasions_.stability(boxes_[b].front())));
   }

@@ -24,6 +24,16 @@ function(folk_compile_options target)
   endif()
 endfunction()
 
+# The sanitizers' builds read the large headers of others once a target. A release build does not: it would no longer see
+# that a file forgets an include of its own.
+option(FOLK_PRECOMPILED_HEADERS "Read the headers of other libraries once a target" OFF)
+function(folk_precompile target)
+  if(FOLK_PRECOMPILED_HEADERS)
+    target_precompile_headers(${target} PRIVATE ${ARGN} <boost/multiprecision/cpp_int.hpp> <fmt/format.h> <algorithm>
+                              <cmath> <functional> <map> <memory> <optional> <string> <vector>)
+  endif()
+endfunction()
+
 # folk_library(games DEPENDS fmt::fmt): the library of this folder, folk::games, from all its sources.
 function(folk_library name)
   cmake_parse_arguments(ARG "" "" "DEPENDS;PRIVATE_DEPENDS" ${ARGN})
@@ -33,6 +43,7 @@ function(folk_library name)
   add_library(folk::${name} ALIAS folk_${name})
   set_target_properties(folk_${name} PROPERTIES EXPORT_NAME ${name})
   folk_compile_options(folk_${name})
+  folk_precompile(folk_${name})
   target_include_directories(folk_${name} PUBLIC $<BUILD_INTERFACE:${FOLK_INCLUDE_ROOT}>
                                                  $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(folk_${name} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE_DEPENDS})
@@ -47,6 +58,7 @@ endfunction()
 function(folk_program name)
   add_executable(${name} ${ARGN})
   folk_compile_options(${name})
+  folk_precompile(${name} <boost/program_options.hpp> <nlohmann/json.hpp>)
   target_link_libraries(${name} PRIVATE folk_program_support)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
   if(FOLK_INSTALL)

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <ostream>
 #include <string>
-#include <string_view>
 
 namespace folk::tools {
 
@@ -30,11 +29,5 @@ std::string machine_file(const SceQuestion& question, const ExtractedMachine& ex
 
 /// A name for the extracted automaton: "sct_extracted".
 std::string extracted_name(const SceQuestion& question);
-
-/// "Nash", "subgame perfect", ... for people.
-std::string_view title_of(Notion notion);
-
-/// A gap for people: exact where it is, with >= where it is a lower bound; "-" where unknown.
-std::string gap_text(const std::optional<Gap>& gap);
 
 }  // namespace folk::tools

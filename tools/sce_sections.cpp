@@ -9,6 +9,9 @@
 namespace folk::tools {
 namespace {
 
+/// Later rounds of a path are in report.json alone.
+constexpr std::size_t most_written_rounds = 2000;
+
 /// More situations are in report.json alone.
 constexpr std::size_t most_listed_situations = 100;
 
@@ -19,7 +22,8 @@ Html heading(int level, const Html& content) { return element(fmt::format("h{}",
 Html path_of(const OpponentReport& report) {
   Html html;
   if (report.path)
-    html += paragraph(Html("Path, own move first: ") + element_of("span", "moves", path_words(*report.path)));
+    html += paragraph(Html("Path, own move first: ") +
+                      element_of("span", "moves", path_words(*report.path, most_written_rounds)));
   if (report.states.empty()) return html;
   html += paragraph(fmt::format("{}{} situations have positive probability.",
                                 report.states.size() > most_listed_situations ? "The first 100 of " : "",

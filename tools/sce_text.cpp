@@ -2,12 +2,12 @@
 
 #include "csv.h"
 #include "sce_output.h"
+#include "sce_words.h"
 #include "table.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace folk::tools {
 namespace {
@@ -15,21 +15,8 @@ namespace {
 /// Paths are shown up to this many rounds.
 constexpr std::size_t most_shown = 200;
 
-std::string number(double value) {
-  return value == std::floor(value) && std::abs(value) < 1e15 ? fmt::format("{:.0f}", value)
-                                                              : fmt::format("{:.4f}", value);
-}
-
-std::string percent(const std::optional<double>& share) { return share ? fmt::format("{:.2f} %", 100 * *share) : "-"; }
-
-std::string_view side_name(Seat side) { return side == Seat::row ? "own" : "theirs"; }
-
 std::string effect_text(const std::optional<sct::BeliefEffect>& effect) {
   return effect ? fmt::format("{} / {} of {}", effect->changed_by_c, effect->changed_by_d, effect->rounds) : "-";
-}
-
-std::string word_of(const std::optional<Certificate>& verdict) {
-  return verdict ? verdict->text() : std::string("does not apply");
 }
 
 void write_header(std::ostream& out, const SceQuestion& question, const SceReport& report) {
@@ -46,45 +33,26 @@ void write_header(std::ostream& out, const SceQuestion& question, const SceRepor
 std::string line_of(Notion notion, const Certificate& verdict) {
   std::string text = fmt::format("  {:<34} {}", title_of(notion), verdict.text());
   if (verdict.margin > 0)
-    text += fmt::format("  {} {}", notion == Notion::beliefs ? "distance" : "gain",
-                        verdict.margin_exact.empty() || verdict.margin_exact.size() > 20 ? number(verdict.margin)
-                                                                                         : verdict.margin_exact);
-  if (notion != Notion::beliefs && verdict.margin > 0) text += fmt::format(" ({})", side_name(verdict.side));
+    text += fmt::format("  {} {}", notion == Notion::beliefs ? "distance" : "gain", margin_text(notion, verdict));
   if (!verdict.witness.empty()) text += ": " + verdict.witness;
   return text + "\n";
 }
 
-std::string path_text(const PlayPath& path) {
-  const bool all = path.rounds.size() <= most_shown;
-  const auto shown =
-      all ? path.rounds
-          : std::vector<Round>(path.rounds.begin(), path.rounds.begin() + static_cast<std::ptrdiff_t>(most_shown));
-  std::string text = history_text(shown);
-  if (!all) text += " ...";
-  if (path.cycle) text += fmt::format(", again and again from round {}", *path.cycle + 1);
-  if (path.cut) text += ", ...";
-  return text;
-}
-
-std::string rounds_text(const std::vector<std::uint64_t>& rounds) {
-  if (rounds.empty()) return "none";
-  std::vector<std::uint64_t> shown(rounds.begin(), rounds.begin() + std::min<std::ptrdiff_t>(20, std::ssize(rounds)));
-  return fmt::format("{}{}", fmt::join(shown, ", "), rounds.size() > shown.size() ? ", ..." : "");
-}
+std::string set_text(const std::optional<Threshold>& threshold) { return threshold ? to_text(threshold->set) : "-"; }
 
 void write_belief(std::ostream& out, const BeliefConsistency& belief) {
   out << fmt::format("beliefs   {} right, distance to the truth at most {:.4g}, on average {:.4g}\n",
-                     percent(belief.accuracy()), belief.largest_distance, belief.mean_distance().value_or(0));
+                     share_text(belief.accuracy()), belief.largest_distance, belief.mean_distance().value_or(0));
   out << fmt::format(
       "          log loss {:.4g}, Brier score {:.4g}, {}\n", belief.log_loss().value_or(0), belief.brier().value_or(0),
       belief.settled_from() ? fmt::format("right from round {} on", *belief.settled_from()) : "wrong at the end");
-  out << fmt::format("          wrong in rounds: {}\n", rounds_text(belief.wrong_rounds));
+  out << fmt::format("          wrong in rounds: {}\n", rounds_words(belief.wrong_rounds));
 }
 
-void write_one(std::ostream& out, const OpponentReport& report, const SceQuestion& question) {
-  out << fmt::format("\nscore     {} to {} ({})\n", number(report.own_score), number(report.their_score),
+void write_one(std::ostream& out, const OpponentReport& report) {
+  out << fmt::format("\nscore     {} to {} ({})\n", payoff_text(report.own_score), payoff_text(report.their_score),
                      to_string(report.method));
-  if (report.path) out << "path      " << path_text(*report.path) << " (own move first)\n";
+  if (report.path) out << "path      " << path_words(*report.path, most_shown) << " (own move first)\n";
   if (!report.states.empty()) {
     out << fmt::format("states    {} situations of positive probability; after ...: P(C) own, theirs\n",
                        report.states.size());
@@ -104,15 +72,10 @@ void write_one(std::ostream& out, const OpponentReport& report, const SceQuestio
       gaps.add({std::string(title_of(notion)), gap_text(gap_of(report.gaps.first, notion)),
                 gap_text(gap_of(report.gaps.second, notion))});
   out << "\n" << gaps.text();
-  if (report.thresholds) {
-    const auto set = [](const std::optional<Threshold>& threshold) {
-      return threshold ? to_text(threshold->set) : std::string("-");
-    };
+  if (report.thresholds)
     out << fmt::format("\ndiscount factors at which it holds: Nash {}; subgame perfect {}; self-confirming {}\n",
-                       set(report.thresholds->nash), set(report.thresholds->subgame_perfect),
-                       set(report.thresholds->self_confirming_unrestricted));
-  }
-  static_cast<void>(question);
+                       set_text(report.thresholds->nash), set_text(report.thresholds->subgame_perfect),
+                       set_text(report.thresholds->self_confirming_unrestricted));
 }
 
 void write_tables(std::ostream& out, const SceReport& report) {
@@ -122,7 +85,7 @@ void write_tables(std::ostream& out, const SceReport& report) {
     for (const auto& one : report.opponents) {
       if (!one.belief) continue;
       const auto settled = one.belief->settled_from();
-      beliefs.add({one.opponent, number(one.own_score), percent(one.belief->accuracy()),
+      beliefs.add({one.opponent, payoff_text(one.own_score), share_text(one.belief->accuracy()),
                    fmt::format("{:.4f}", one.belief->largest_distance),
                    fmt::format("{:.4f}", one.belief->mean_distance().value_or(0)),
                    settled ? std::to_string(*settled) : "-", effect_text(one.effect)});
@@ -141,17 +104,30 @@ void write_tables(std::ostream& out, const SceReport& report) {
       << gaps.text();
 }
 
+/// Where there are two deterministic machines.
+void write_thresholds(std::ostream& out, const SceReport& report) {
+  Table sets({"opponent", "Nash", "subgame perfect", "self-confirming"});
+  bool any = false;
+  for (const auto& one : report.opponents) {
+    if (!one.thresholds) continue;
+    any = true;
+    sets.add({one.opponent, set_text(one.thresholds->nash), set_text(one.thresholds->subgame_perfect),
+              set_text(one.thresholds->self_confirming_unrestricted)});
+  }
+  if (any) out << "\ndiscount factors at which it holds\n" << sets.text();
+}
+
 void write_extracted(std::ostream& out, const ExtractedMachine& extracted) {
   out << "\nautomata that play as it does\n";
   Table tried({"states", "played alike", "told alike", ""});
   for (std::size_t i = 0; i < extracted.tried.size(); ++i) {
     const auto& one = extracted.tried[i];
-    tried.add({std::to_string(one.machine.size()), percent(one.matches.played()), percent(one.matches.told()),
+    tried.add({std::to_string(one.machine.size()), share_text(one.matches.played()), share_text(one.matches.told()),
                i == extracted.chosen ? "chosen" : ""});
   }
   out << tried.text();
   out << fmt::format("on {}, which it was not built from: {} played alike, {} told\n", extracted.unseen_name,
-                     percent(extracted.unseen.played()), percent(extracted.unseen.told()));
+                     share_text(extracted.unseen.played()), share_text(extracted.unseen.told()));
   for (const auto& match : extracted.tried[extracted.chosen].matches.matches)
     if (match.first_difference)
       out << fmt::format("  against {}: {} of {} moves alike, first otherwise in round {}\n", match.opponent,
@@ -160,39 +136,22 @@ void write_extracted(std::ostream& out, const ExtractedMachine& extracted) {
 
 }  // namespace
 
-std::string_view title_of(Notion notion) {
-  switch (notion) {
-    case Notion::nash: return "Nash";
-    case Notion::subgame_perfect: return "subgame perfect";
-    case Notion::self_confirming_unrestricted: return "self-confirming, free beliefs";
-    case Notion::self_confirming_class: return "self-confirming, class of beliefs";
-    case Notion::self_confirming_own: return "self-confirming, own beliefs";
-    case Notion::beliefs: return "beliefs true on the path";
-  }
-  return "?";
-}
-
-std::string gap_text(const std::optional<Gap>& gap) {
-  if (!gap) return "-";
-  const std::string exact = gap->exact ? to_text(*gap->exact) : std::string();
-  return (gap->bounded() ? ">= " : "") + (exact.empty() || exact.size() > 12 ? number(gap->gain) : exact);
-}
-
 void write_text(std::ostream& out, const SceQuestion& question, const SceReport& report) {
   write_header(out, question, report);
   if (report.opponents.size() == 1)
-    write_one(out, report.opponents.front(), question);
+    write_one(out, report.opponents.front());
   else
     write_tables(out, report);
+  if (report.opponents.size() > 1) write_thresholds(out, report);
   if (report.belief && report.opponents.size() > 1)
     out << fmt::format("\nbeliefs in all: {} right, log loss {:.4g}, Brier score {:.4g}; effect C / D {}\n",
-                       percent(report.belief->accuracy()), report.belief->log_loss().value_or(0),
+                       share_text(report.belief->accuracy()), report.belief->log_loss().value_or(0),
                        report.belief->brier().value_or(0), effect_text(report.effect));
   if (report.extracted) write_extracted(out, *report.extracted);
   out << (report.opponents.size() == 1 ? "\nverdicts\n" : "\nverdicts (the worst of all opponents)\n");
   for (std::size_t n = 0; n < all_notions.size(); ++n) {
     if (!report.verdicts[n]) {
-      out << fmt::format("  {:<34} {}\n", title_of(all_notions[n]), word_of(report.verdicts[n]));
+      out << fmt::format("  {:<34} {}\n", title_of(all_notions[n]), "does not apply");
       continue;
     }
     std::string line = line_of(all_notions[n], *report.verdicts[n]);

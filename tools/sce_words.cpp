@@ -54,6 +54,24 @@ std::string side_text(const std::string& policy, const std::string& opponent, Se
   return side == Seat::row ? policy : opponent;
 }
 
+std::string_view title_of(Notion notion) {
+  switch (notion) {
+    case Notion::nash: return "Nash";
+    case Notion::subgame_perfect: return "subgame perfect";
+    case Notion::self_confirming_unrestricted: return "self-confirming, free beliefs";
+    case Notion::self_confirming_class: return "self-confirming, class of beliefs";
+    case Notion::self_confirming_own: return "self-confirming, own beliefs";
+    case Notion::beliefs: return "beliefs true on the path";
+  }
+  return "?";
+}
+
+std::string gap_text(const std::optional<Gap>& gap) {
+  if (!gap) return "-";
+  const std::string exact = gap->exact ? to_text(*gap->exact) : std::string();
+  return (gap->bounded() ? ">= " : "") + (exact.empty() || exact.size() > 12 ? payoff_text(gap->gain) : exact);
+}
+
 std::string meaning_of(Notion notion) {
   switch (notion) {
     case Notion::nash: return "Nobody gains by playing another strategy from the start.";
@@ -91,10 +109,10 @@ std::string margin_text(Notion notion, const Certificate& verdict) {
   return verdict.margin > 0 ? fmt::format("{} ({})", margin, verdict.side == Seat::row ? "own" : "theirs") : margin;
 }
 
-std::string path_words(const PlayPath& path) {
-  const auto shown = static_cast<std::ptrdiff_t>(std::min(path.rounds.size(), most_written_rounds));
+std::string path_words(const PlayPath& path, std::size_t most) {
+  const auto shown = static_cast<std::ptrdiff_t>(std::min(path.rounds.size(), most));
   std::string text = history_text({path.rounds.begin(), path.rounds.begin() + shown});
-  if (path.rounds.size() > most_written_rounds)
+  if (path.rounds.size() > most)
     return text + fmt::format(" ... (the first {} of {} rounds)", shown, path.rounds.size());
   if (path.cycle) text += fmt::format(", again and again from round {}", *path.cycle + 1);
   return path.cut ? text + " ..." : text;
@@ -106,7 +124,7 @@ std::string rounds_words(const std::vector<std::uint64_t>& rounds) {
     std::size_t end = i + 1;
     while (end < rounds.size() && rounds[end] == rounds[end - 1] + 1) ++end;
     text += text.empty() ? "" : ", ";
-    text += end - i > 2 ? fmt::format("{}–{}", rounds[i], rounds[end - 1]) : std::to_string(rounds[i]);
+    text += end - i > 2 ? fmt::format("{}-{}", rounds[i], rounds[end - 1]) : std::to_string(rounds[i]);
     i = end - i > 2 ? end : i + 1;
   }
   return text.empty() ? "none" : text;

@@ -1,11 +1,12 @@
 #pragma once
-// What sce-check found, in the words and numbers of its page.
+// What sce-check found, in words and numbers for people.
 
 #include "html.h"
 #include "sce_output.h"
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace folk::tools {
@@ -22,7 +23,13 @@ std::string measure_text(const std::optional<double>& value);
 /// "the policy" or the opponent's name.
 std::string side_text(const std::string& policy, const std::string& opponent, Seat side);
 
-/// The notion in a sentence for people.
+/// "Nash", "subgame perfect", ...
+std::string_view title_of(Notion notion);
+
+/// A gap, exact where it is, with >= where it is a lower bound; "-" where it is unknown.
+std::string gap_text(const std::optional<Gap>& gap);
+
+/// The notion in a sentence.
 std::string meaning_of(Notion notion);
 
 /// One of the three words with its sign and colour, and how far was looked.
@@ -34,11 +41,8 @@ Html sign_of(const std::optional<Certificate>& verdict);
 /// "2 (own)": how much is gained, or how far beliefs are from the truth.
 std::string margin_text(Notion notion, const Certificate& verdict);
 
-/// What is played: "(CC)x99 CD", and where it goes on. Up to most_written_rounds.
-std::string path_words(const PlayPath& path);
-
-/// Later rounds are not written out in a page.
-inline constexpr std::size_t most_written_rounds = 2000;
+/// What is played: "(CC)x99 CD", and where it goes on. No more than the first `most` rounds.
+std::string path_words(const PlayPath& path, std::size_t most);
 
 /// "3, 7-9, 100" of ascending rounds; "none".
 std::string rounds_words(const std::vector<std::uint64_t>& rounds);

@@ -1,6 +1,7 @@
 #include "analysis/naive.h"
 #include "csv.h"
 
+#include <folk/analysis/deterministic_play.h>
 #include <folk/analysis/finite_best_reply.h>
 #include <folk/games/error.h>
 #include <folk/strategies/registry.h>
@@ -60,6 +61,12 @@ TEST(FiniteBestReply, AgreesWithTheReferenceOver100Rounds) {
     std::vector<Move> golden;
     for (const char move : line[6]) golden.push_back(move == 'C' ? Move::C : Move::D);
     EXPECT_EQ(total_of(golden, *machine), reply.optimum()) << line[0];
+    // Played as a machine, the reply earns the optimum.
+    const Automaton replier = reply.machine();
+    const PairResult match = play_deterministic(replier, *machine, Criterion::finite(100));
+    double earned = 0;
+    for (std::size_t o = 0; o < 4; ++o) earned += match.weights[o] * Payoffs{}.numbers()[o];
+    EXPECT_EQ(earned, reply.optimum()) << line[0];
     if (row <= 18) classics += reply.optimum();
   }
   EXPECT_EQ(row, 20U);
