@@ -16,12 +16,20 @@ std::string scope_of(const Gap& gap) {
 }
 
 /// More than `epsilon` is gained for certain.
-bool refutes(const Gap& gap, double epsilon) {
-  return gap.exact && !gap.bounded() ? gap.gain > epsilon : gap.gain - gap.residual > epsilon;
+bool refutes(const Gap& gap, const Rational& epsilon) {
+  return gap.exact ? *gap.exact > epsilon : gap.gain - gap.residual > to_double(epsilon);
 }
 
 /// No more than `epsilon` is gained for certain.
-bool allows(const Gap& gap, double epsilon) { return !gap.bounded() && gap.gain + gap.residual <= epsilon; }
+bool allows(const Gap& gap, const Rational& epsilon) {
+  if (gap.bounded()) return false;
+  return gap.exact ? *gap.exact <= epsilon : gap.gain + gap.residual <= to_double(epsilon);
+}
+
+/// Tells gains apart that are too small for doubles.
+bool larger(const Gap& a, const Gap& b) {
+  return a.gain == b.gain && a.exact && b.exact ? *a.exact > *b.exact : a.gain > b.gain;
+}
 
 struct SideGap {
   Seat side;
@@ -36,8 +44,8 @@ std::vector<SideGap> asked(const PairGaps& gaps, Notion notion, Sides sides) {
 }
 
 Certificate certificate(Seat side, const Gap& gap, Word word) {
-  Certificate result{word, {}, side, gap.gain, gap.exact ? to_text(*gap.exact) : std::string(), witness_text(gap)};
-  return result;
+  return {
+      word, {}, side, gap.gain, gap.exact ? to_text(*gap.exact) : std::string(), gap.witness.reply, witness_text(gap)};
 }
 
 }  // namespace
@@ -72,7 +80,7 @@ const std::optional<Gap>& gap_of(const SideGaps& gaps, Notion notion) {
   return none;
 }
 
-std::optional<Certificate> judge(const PairGaps& gaps, Notion notion, Sides sides, double epsilon) {
+std::optional<Certificate> judge(const PairGaps& gaps, Notion notion, Sides sides, const Rational& epsilon) {
   const SideGap* worst = nullptr;
   const SideGap* open = nullptr;  // not decided in its favour
   // Only one side may hold beliefs of its own.
@@ -84,7 +92,7 @@ std::optional<Certificate> judge(const PairGaps& gaps, Notion notion, Sides side
       continue;
     }
     const Gap& gap = **candidate.gap;
-    if (worst == nullptr || gap.gain > (*worst->gap)->gain) worst = &candidate;
+    if (worst == nullptr || larger(gap, **worst->gap)) worst = &candidate;
     if (!allows(gap, epsilon)) open = &candidate;
   }
   if (worst != nullptr && refutes(**worst->gap, epsilon)) return certificate(worst->side, **worst->gap, Word::refuted);
@@ -102,7 +110,9 @@ std::optional<Certificate> judge(const PairGaps& gaps, Notion notion, Sides side
 
 std::optional<Certificate> judge_beliefs(const BeliefConsistency& beliefs, double epsilon, bool whole_path) {
   if (beliefs.rounds == 0) return std::nullopt;
-  Certificate result{Word::certified, {}, Seat::row, beliefs.largest_distance, {}, {}};
+  Certificate result;
+  result.word = Word::certified;
+  result.margin = beliefs.largest_distance;
   if (!beliefs.wrong_rounds.empty())
     result.witness = fmt::format("the likelier move is wrong in {} of {} rounds, first in round {}",
                                  beliefs.rounds - beliefs.right, beliefs.rounds, beliefs.wrong_rounds.front());

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -43,11 +44,12 @@ enum class Word {
 /// A claim that was judged.
 struct Certificate {
   Word word = Word::not_refuted;
-  std::string scope;         ///< not refuted: how far was looked ("depth 6")
-  Seat side = Seat::row;     ///< whose gain the margin is: the side with the larger one
-  double margin = 0;         ///< the largest gain; for beliefs the largest distance
-  std::string margin_exact;  ///< the same exactly, where it is known
-  std::string witness;       ///< for people: the deviation, or the machine that the other side may be held to be
+  std::string scope;                         ///< not refuted: how far was looked ("depth 6")
+  Seat side = Seat::row;                     ///< whose gain the margin is: the side with the larger one
+  double margin = 0;                         ///< the largest gain; for beliefs the largest distance
+  std::string margin_exact;                  ///< the same exactly, where it is known
+  std::shared_ptr<const Automaton> reply{};  ///< the best reply that gains, where one does
+  std::string witness;  ///< for people: the deviation, or the machine that the other side may be held to be
 
   /// "certified", "not refuted (depth 6)", "refuted".
   std::string text() const;
@@ -58,7 +60,7 @@ const std::optional<Gap>& gap_of(const SideGaps& gaps, Notion notion);
 
 /// What the gaps say of a notion when neither side (of `sides`) may gain more than `epsilon`. What refutes Nash refutes
 /// subgame perfection too. Nothing where the notion does not apply, or nothing is known of it.
-std::optional<Certificate> judge(const PairGaps& gaps, Notion notion, Sides sides, double epsilon);
+std::optional<Certificate> judge(const PairGaps& gaps, Notion notion, Sides sides, const Rational& epsilon);
 
 /// Beliefs are consistent when no distance on the path exceeds `epsilon`; `whole_path`: all of it was seen.
 /// Nothing without beliefs.

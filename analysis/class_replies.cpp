@@ -1,5 +1,9 @@
 #include <folk/analysis/class_replies.h>
 
+#include <folk/games/error.h>
+
+#include <fmt/format.h>
+
 #include <utility>
 
 namespace folk {
@@ -24,7 +28,11 @@ bool ClassReplies::endless(std::size_t member) const {
 
 const BestReply& ClassReplies::reply(std::size_t member) {
   auto& reply = replies_[member];
-  if (!reply) reply = best_reply(*members_[member].machine, payoffs_, criterion_, {0, horizon_});
+  try {
+    if (!reply) reply = best_reply(*members_[member].machine, payoffs_, criterion_, {0, horizon_});
+  } catch (const UsageError& error) {
+    throw UsageError(fmt::format("{}, of the class of beliefs: {}", members_[member].name, error.what()));
+  }
   return *reply;
 }
 

@@ -5,9 +5,11 @@
 #include <folk/games/move.h>
 #include <folk/games/payoffs.h>
 #include <folk/games/rational.h>
+#include <folk/strategies/automaton.h>
 #include <folk/strategies/equivalence.h>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +22,7 @@ struct Witness {
   std::optional<Move> deviation;  ///< what it plays instead; nothing where no deviation gains
   std::string then;               ///< what follows: "best reply", "minmax 1 for ever", ...
   std::string belief;             ///< the machine that the opponent is believed to be, where that is the question
+  std::shared_ptr<const Automaton> reply{};  ///< the best reply that gains, where there is one
 };
 
 /// What one side of a pair can gain, 0 or more.

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <set>
 #include <utility>
 
@@ -42,6 +43,7 @@ Gap reply_gap(const PlayPath& path, const PathPayoffs& paid, const BestReply& re
     gap = rounded_gap(reply.payoff - paid.rounded_from(0), reply.residual + paid.doubt(),
                       first_departure(path, reply.machine));
   }
+  if (gap.exact ? *gap.exact > 0 : gap.gain > 0) gap.witness.reply = std::make_shared<const Automaton>(reply.machine);
   if (reply.horizon) gap.depth = *reply.horizon;
   if (path.cut) gap.depth = path.rounds.size();
   return gap;
@@ -69,7 +71,9 @@ Gap nash_gap(const Automaton& own, const Automaton& theirs, const Payoffs& payof
   const double paid = expected_payoff(own, theirs, payoffs, criterion);
   const BestReply reply = best_reply(theirs, payoffs, criterion);
   const double rounding = reply.residual + rounding_of(payoffs, criterion);
-  return rounded_gap(reply.payoff - paid, rounding, {{}, std::nullopt, "best reply", {}});
+  Gap gap = rounded_gap(reply.payoff - paid, rounding, {{}, std::nullopt, "best reply", {}});
+  if (gap.gain > 0) gap.witness.reply = std::make_shared<const Automaton>(reply.machine);
+  return gap;
 }
 
 }  // namespace folk

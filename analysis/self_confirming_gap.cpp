@@ -7,10 +7,15 @@
 #include <folk/games/error.h>
 #include <folk/games/minmax.h>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace folk {
 namespace {
@@ -81,6 +86,14 @@ bool agrees(const Automaton& own, const Automaton& theirs, const Automaton& memb
   return true;
 }
 
+/// The least gap, some members being left out whose gap is not known: it may be 0.
+std::optional<Gap> without(const std::vector<std::string>& left_out, std::optional<Gap> least) {
+  if (left_out.empty() || (least && least->gain == 0)) return least;
+  Gap unknown;
+  unknown.tried = fmt::format("{} left out, without end", fmt::join(left_out, ", "));
+  return unknown;
+}
+
 /// Keeps the least gap; of equal ones an exact one, then the first.
 void keep_least(std::optional<Gap>& least, Gap gap) {
   if (!least || gap.gain < least->gain || (gap.gain == least->gain && least->depth && !gap.depth))
@@ -136,15 +149,19 @@ std::optional<Gap> class_gap(const PlayPath& path, ClassReplies& beliefs) {
   const PathPayoffs paid(path, beliefs.payoffs(), beliefs.criterion());
   const bool mean = beliefs.criterion().kind() == Criterion::Kind::mean;
   std::optional<Gap> least;
+  std::vector<std::string> left_out;
   for (std::size_t i = 0; i < beliefs.members().size(); ++i) {
     const Strategy& member = beliefs.members()[i];
-    if (!member.machine || (mean && beliefs.endless(i))) continue;
-    if (!agrees(*member.machine, path, beliefs.horizon())) continue;
+    if (!member.machine || !agrees(*member.machine, path, beliefs.horizon())) continue;
+    if (mean && beliefs.endless(i)) {
+      left_out.push_back(member.name);
+      continue;
+    }
     Gap gap = reply_gap(path, paid, beliefs.reply(i));
     gap.witness.belief = member.name;
     keep_least(least, std::move(gap));
   }
-  return least;
+  return without(left_out, std::move(least));
 }
 
 std::optional<Gap> class_gap(const Automaton& own, const Automaton& theirs, ClassReplies& beliefs) {
@@ -152,15 +169,20 @@ std::optional<Gap> class_gap(const Automaton& own, const Automaton& theirs, Clas
   const double paid = expected_payoff(own, theirs, beliefs.payoffs(), criterion);
   const double rounding = rounding_of(beliefs.payoffs(), criterion);
   std::optional<Gap> least;
+  std::vector<std::string> left_out;
   for (std::size_t i = 0; i < beliefs.members().size(); ++i) {
     const Strategy& member = beliefs.members()[i];
-    if (!member.machine || beliefs.endless(i)) continue;
+    if (!member.machine) continue;
+    if (beliefs.endless(i)) {
+      left_out.push_back(member.name);  // whether it agrees for ever is not known
+      continue;
+    }
     if (!agrees(own, theirs, beliefs.table(i), criterion)) continue;
     const BestReply& reply = beliefs.reply(i);
     keep_least(least, rounded_gap(reply.payoff - paid, reply.residual + rounding,
                                   {{}, std::nullopt, "best reply", member.name}));
   }
-  return least;
+  return without(left_out, std::move(least));
 }
 
 }  // namespace folk

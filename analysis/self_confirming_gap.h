@@ -28,7 +28,8 @@ Gap unrestricted_gap(const Automaton& own, const Automaton& theirs, const Payoff
 
 /// Beliefs of a class: the least gain of a best reply over the machines of `beliefs` that agree with the opponent on
 /// the path (no mixtures of them; ties by roster order). The witness names that machine. Nothing when none agrees.
-/// Infinite members count within the horizon of `beliefs` under discounted and ending, and not at all under mean.
+/// Infinite members count within the horizon of `beliefs` under discounted and ending; under mean they are
+/// left out, and unless another member gives 0 the gap is then a bound (0) that says so.
 std::optional<Gap> class_gap(const PlayPath& path, ClassReplies& beliefs);
 
 /// The same where chance plays a part: members agree when their P(C) is the opponent's after every history of positive

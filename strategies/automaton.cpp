@@ -141,7 +141,7 @@ Automaton unroll(const Machine& machine, Sense sense, unsigned horizon, std::siz
   Exploration found = explore(machine, sense, most_states, horizon);
   if (found.too_many)
     throw UsageError("more than " + std::to_string(most_states) + " states within " + std::to_string(horizon) +
-                     " rounds: give a smaller horizon");
+                     " rounds: play fewer of them");
   if (found.nodes.size() == found.states.size()) return Automaton(std::move(found.nodes), 0);
   const auto beyond = static_cast<std::uint32_t>(found.nodes.size());
   for (auto& node : found.nodes)

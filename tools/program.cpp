@@ -23,7 +23,8 @@ std::string help_text(const Program& program) {
   text << "Usage: " << program.name << " " << program.usage << "\n\n" << program.summary << "\n\n" << program.options;
   text << "\nExamples:\n";
   for (const auto& example : program.examples) text << "  " << example << "\n";
-  text << "\nExit codes: 0 done, 2 wrong usage, 3 bad input file, 4 anything else.\n";
+  text << "\nExit codes: 0 done, " << (program.claim.empty() ? "" : "1 " + program.claim + ", ")
+       << "2 wrong usage, 3 bad input file, 4 anything else.\n";
   return text.str();
 }
 

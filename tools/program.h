@@ -17,6 +17,7 @@ struct Program {
   std::string usage;                  ///< "A B [options]"
   std::string summary;                ///< what it does, a sentence or two
   std::vector<std::string> examples;  ///< whole command lines
+  std::string claim{};                ///< what exit code 1 says, for programs that check something
   po::options_description options{"Options"};
   po::options_description arguments{};  ///< what the positional names below stand for; not in the help text
   po::positional_options_description positional{};

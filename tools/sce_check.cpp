@@ -23,6 +23,7 @@ Program sce_check() {
                       "sce-check spiteful --opponents spiteful,tit_for_tat --criterion discounted:2/3 --side own",
                       "sce-check sct", "sce-check policy.bin all_d --extract --output report",
                       "sce-check tit_for_tat tit_for_tat --criterion discounted:0.7 --require nash"};
+  program.claim = "what was required is refuted";
   add_sce_options(program);
   return program;
 }

@@ -36,16 +36,14 @@ double payoff_of(const OutcomeWeights& weights, const Payoffs& payoffs, bool exc
   return sum;
 }
 
-/// Every situation that two machines that mix come into with positive probability.
-std::vector<InformationState> information_states(const Machine& own, const Machine& theirs,
-                                                 const Criterion& criterion) {
+/// Every situation that two machines that mix come into with positive probability; the first of them are listed.
+void list_states(const Machine& own, const Machine& theirs, const Criterion& criterion, OpponentReport& report) {
   const Automaton a = table_for(own, criterion, Sense::own_moves_its_own, 0);
   const Automaton b = table_for(theirs, criterion, Sense::own_moves_its_own, 0);
   const JointPlay play(a, b, Sense::own_moves_its_own);
-  std::vector<InformationState> states;
+  report.all_states = play.size();
   for (std::size_t s = 0; s < std::min(play.size(), most_listed_states); ++s)
-    states.push_back({play.history_to(s), play.first_cooperation(s), play.second_cooperation(s)});
-  return states;
+    report.states.push_back({play.history_to(s), play.first_cooperation(s), play.second_cooperation(s)});
 }
 
 OpponentReport examine_machines(const SceQuestion& question, const Strategy& opponent, ClassReplies& beliefs) {
@@ -68,17 +66,24 @@ OpponentReport examine_machines(const SceQuestion& question, const Strategy& opp
                                        question.game.payoffs, question.sides);
     }
   } else {
-    report.states = information_states(own, theirs, question.criterion);
+    list_states(own, theirs, question.criterion, report);
   }
   return report;
 }
 
-/// Mean scores of both sides, with the standard error of the first.
+/// Mean scores of both sides, and how far the first may lie from its expectation.
 struct Scores {
   double own = 0;
   double theirs = 0;
   double error = 0;
 };
+
+/// Empirical Bernstein bound (Maurer & Pontil 2009) that fails once in a million times: standard errors alone are 0
+/// where all samples happen to be equal. `range`: how far apart two scores can be.
+double sampling_error(double variance, double range, double samples) {
+  const double log = std::log(2 / 1e-6);
+  return samples > 1 ? std::sqrt(2 * variance * log / samples) + 7 * range * log / (3 * (samples - 1)) : range;
+}
 
 Scores scores_of(const BeliefRecord& record, const Payoffs& payoffs) {
   const auto numbers = payoffs.numbers();
@@ -98,7 +103,9 @@ Scores scores_of(const BeliefRecord& record, const Payoffs& payoffs) {
   const auto n = static_cast<double>(record.matches.size());
   scores.own /= n;
   scores.theirs /= n;
-  if (n > 1) scores.error = std::sqrt(std::max(0.0, squares / n - scores.own * scores.own) / (n - 1));
+  const double variance = n > 1 ? std::max(0.0, squares / n - scores.own * scores.own) * n / (n - 1) : 0;
+  const auto [least, most] = std::minmax_element(numbers.begin(), numbers.end());
+  scores.error = sampling_error(variance, (*most - *least) * static_cast<double>(record.matches.front().size()), n);
   return scores;
 }
 
@@ -120,7 +127,7 @@ OpponentReport examine_record(const SceQuestion& question, const Strategy& oppon
   } else if (opponent.machine) {
     const BestReply reply = best_reply(*opponent.machine, question.game.payoffs, question.criterion);
     Gap gap =
-        rounded_gap(reply.payoff - scores.own, reply.residual + 5 * scores.error, {{}, std::nullopt, "best reply", {}});
+        rounded_gap(reply.payoff - scores.own, reply.residual + scores.error, {{}, std::nullopt, "best reply", {}});
     gap.tried = fmt::format("{} sampled matches", record.matches.size());
     report.gaps.first.nash = std::move(gap);
   }
@@ -130,16 +137,30 @@ OpponentReport examine_record(const SceQuestion& question, const Strategy& oppon
   return report;
 }
 
-/// Nobody can enumerate the policy, but what the others earn against it is known: a reply that each could copy.
-void add_known_replies(std::vector<OpponentReport>& reports) {
-  const OpponentReport* best = nullptr;
+/// Nobody can enumerate the policy, but what others earn against it is known: a reply that each could copy. The
+/// classics are asked too.
+void add_known_replies(const SceQuestion& question, std::vector<OpponentReport>& reports) {
+  struct Known {
+    std::string name;
+    double score;
+  };
+  std::vector<Known> known;
   for (const auto& report : reports)
-    if (report.record->once && (best == nullptr || report.their_score > best->their_score)) best = &report;
+    if (report.record->once) known.push_back({report.opponent, report.their_score});
+  if (known.empty()) return;
+  std::vector<Strategy> others = Registry::standard().roster("classics", question.game.payoffs);
+  std::erase_if(others, [&](const Strategy& strategy) {
+    return std::any_of(known.begin(), known.end(), [&](const Known& one) { return one.name == strategy.name; });
+  });
+  for (const auto& record : record_beliefs(question.policy, others, sampling_of(question)))
+    if (record.once) known.push_back({record.opponent, scores_of(record, question.game.payoffs).theirs});
+  const Known& best =
+      *std::max_element(known.begin(), known.end(), [](const Known& a, const Known& b) { return a.score < b.score; });
   for (auto& report : reports) {
     if (!report.record->once || report.gaps.second.nash) continue;
-    Gap gap = rounded_gap(best->their_score - report.their_score, 0,
-                          {{}, std::nullopt, "plays like " + best->opponent + ", who earns more against it", {}});
-    gap.tried = fmt::format("replies of {} opponents", reports.size());
+    Gap gap = rounded_gap(best.score - report.their_score, 0,
+                          {{}, std::nullopt, "plays like " + best.name + ", who earns more against it", {}});
+    gap.tried = fmt::format("the replies of {} strategies", known.size());
     report.gaps.second.nash = std::move(gap);
   }
 }
@@ -289,7 +310,7 @@ SceReport examine(const SceQuestion& question, const Stage& stage) {
       report.opponents.push_back(against(question, question.opponents[i], [&] {
         return examine_record(question, question.opponents[i], std::move(records[i]), beliefs);
       }));
-    add_known_replies(report.opponents);
+    add_known_replies(question, report.opponents);
     add_own_search(question, report.opponents, stage);
     add_belief_effects(question, report.opponents);
   }

@@ -2,6 +2,8 @@
 
 #include "sce_output.h"
 
+#include <folk/strategies/machine_text.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -121,6 +123,13 @@ Json effect_of(const std::optional<sct::BeliefEffect>& effect) {
           {"decoration", effect->changed_by_c + effect->changed_by_d == 0}};
 }
 
+/// The reply that gains, as an @file holds it.
+Json reply_of(const Certificate& verdict) {
+  constexpr std::size_t most_written = 1000;
+  if (!verdict.reply || verdict.reply->size() > most_written) return nullptr;
+  return write_machine("best_reply", *verdict.reply);
+}
+
 Json verdicts_of(const Verdicts& verdicts, const std::array<std::string, all_notions.size()>* worst) {
   Json object = Json::object();
   for (std::size_t n = 0; n < all_notions.size(); ++n) {
@@ -134,7 +143,8 @@ Json verdicts_of(const Verdicts& verdicts, const std::array<std::string, all_not
                     {"side", verdict->side == Seat::row ? "own" : "theirs"},
                     {"margin", verdict->margin},
                     {"margin_exact", verdict->margin_exact.empty() ? Json(nullptr) : Json(verdict->margin_exact)},
-                    {"witness", verdict->witness.empty() ? Json(nullptr) : Json(verdict->witness)}};
+                    {"witness", verdict->witness.empty() ? Json(nullptr) : Json(verdict->witness)},
+                    {"witness_machine", reply_of(*verdict)}};
     if (worst != nullptr) object[name]["opponent"] = (*worst)[n];
   }
   return object;
@@ -148,6 +158,7 @@ Json opponent_of(const OpponentReport& report, const SceQuestion& question) {
                  {"figures", std::string(to_string(report.method))},
                  {"path", path_of(report)},
                  {"information_states", states_of(report)},
+                 {"information_states_in_all", report.states.empty() ? Json(nullptr) : Json(report.all_states)},
                  {"belief", belief_of(report.belief)},
                  {"gaps", {{"own", gaps_of(report.gaps.first)}, {"theirs", gaps_of(report.gaps.second)}}},
                  {"thresholds", thresholds_of(thresholds, [](const auto& set) { return to_numbers(set); })},
@@ -202,7 +213,7 @@ void write_json(std::ostream& out, const SceQuestion& question, const SceReport&
                                 : question.sides == Sides::first ? "own"
                                                                  : "theirs"},
                        {"epsilon_belief", question.epsilon_belief},
-                       {"epsilon_payoff", question.epsilon_payoff},
+                       {"epsilon_payoff", to_double(question.epsilon_payoff)},
                        {"depth", question.depth},
                        {"seed", question.seed},
                        {"opponents", opponents},

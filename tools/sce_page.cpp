@@ -94,7 +94,7 @@ Html question_list(const SceQuestion& question) {
   add("class of beliefs", fmt::format("{} ({} machine{})", question.class_spec, question.beliefs.size(),
                                       question.beliefs.size() == 1 ? "" : "s"));
   add("whose gains count", side_words(question.sides));
-  add("epsilon", fmt::format("belief {}, payoff {}", question.epsilon_belief, question.epsilon_payoff));
+  add("epsilon", fmt::format("belief {}, payoff {}", question.epsilon_belief, to_text(question.epsilon_payoff)));
   add("depth of its own search", std::to_string(question.depth));
   add("seed, repetitions", fmt::format("{}, {}", question.seed, question.repetitions));
   if (!question.policy.caveat.empty()) add("note", question.policy.caveat);

@@ -33,9 +33,12 @@ bool is_file_name(const Registry& registry, const std::string& name) {
   }
 }
 
-double epsilon(const po::variables_map& values, const char* name, double fallback, double most) {
-  if (values.count(name) == 0) return fallback;
-  return parse_number(text_option(values, name), std::string("--") + name, 0, most);
+/// A gain that is allowed, kept as it was written: "0.1", "2/3".
+Rational epsilon_payoff(const po::variables_map& values) {
+  const Rational epsilon = parse_rational(text_option(values, "epsilon-payoff", "0"));
+  if (epsilon < 0)
+    throw UsageError(fmt::format("--epsilon-payoff '{}': expected 0 or more", text_option(values, "epsilon-payoff")));
+  return epsilon;
 }
 
 Sides sides_of(const std::string& text) {
@@ -73,10 +76,10 @@ void add_sce_options(Program& program) {
   add("side", text()->default_value("both"), "whose gains a verdict is about: both, own (POLICY's) or theirs");
   add("epsilon-belief", text(), "beliefs may be as far as this from the truth (default 0.05)");
   add("epsilon-payoff", text(), "a deviation may gain as much as this (default 0)");
-  add("depth", text(), "rounds of the search on POLICY's own beliefs, 1 to 12 (default 6)");
+  add("depth", text(), "rounds of the search on POLICY's own beliefs, 1 to 9 (default 6)");
   add("horizon", text(), "rounds that machines without end are followed under criteria without end");
   add("extract", "also make an automaton that plays as POLICY does");
-  add("require", text(), "exit 1 unless it holds: nash, subgame-perfect, self-confirming or beliefs");
+  add("require", text(), "exit 1 when it is refuted: nash, subgame-perfect, self-confirming or beliefs");
   add_game_options(program.options);
   add_play_options(program.options);
   add("repetitions", text(), "matches of a pair that can only be sampled (default 100)");
@@ -128,9 +131,9 @@ SceQuestion sce_question(const po::variables_map& values) {
                  [](const Strategy& strategy) { return strategy.machine != nullptr; });
 
   question.sides = sides_of(text_option(values, "side"));
-  question.epsilon_belief = epsilon(values, "epsilon-belief", 0.05, 1);
-  question.epsilon_payoff = epsilon(values, "epsilon-payoff", 0, 1e300);
-  question.depth = whole_option(values, "depth", 6, 1, 12);
+  question.epsilon_belief = parse_number(text_option(values, "epsilon-belief", "0.05"), "--epsilon-belief", 0, 1);
+  question.epsilon_payoff = epsilon_payoff(values);
+  question.depth = whole_option(values, "depth", 6, 1, 9);
   question.horizon = static_cast<unsigned>(whole_option(values, "horizon", 0, 1, 10'000));
   question.extract = values.count("extract") != 0;
   if (question.extract && question.policy.machine)

@@ -29,7 +29,7 @@ struct SceQuestion {
   Criterion criterion = Criterion::finite(100);
   Sides sides = Sides::both;
   double epsilon_belief = 0.05;
-  double epsilon_payoff = 0;
+  Rational epsilon_payoff = 0;
   std::size_t depth = 6;  ///< of the search on the policy's own beliefs
   unsigned horizon = 0;
   bool extract = false;

@@ -35,6 +35,7 @@ struct InformationState {
 struct OpponentReport {
   std::string opponent;
   std::optional<PlayPath> path;            ///< of a pair without chance
+  std::size_t all_states = 0;              ///< how many such situations there are; the first of them:
   std::vector<InformationState> states{};  ///< of machines that mix
   double own_score = 0;                    ///< in the criterion's unit
   double their_score = 0;

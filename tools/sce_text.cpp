@@ -26,13 +26,13 @@ void write_header(std::ostream& out, const SceQuestion& question, const SceRepor
                          : fmt::format("the {} of {}", report.opponents.size(), question.opponents_spec));
   out << fmt::format("game {} ({}), {}, class {}, epsilon-belief {}, epsilon-payoff {}, depth {}, seed {}\n",
                      question.game.title, to_text(question.game.payoffs), question.criterion.to_string(),
-                     question.class_spec, question.epsilon_belief, question.epsilon_payoff, question.depth,
+                     question.class_spec, question.epsilon_belief, to_text(question.epsilon_payoff), question.depth,
                      question.seed);
 }
 
 std::string line_of(Notion notion, const Certificate& verdict) {
   std::string text = fmt::format("  {:<34} {}", title_of(notion), verdict.text());
-  if (verdict.margin > 0)
+  if (verdict.margin > 0 || verdict.word == Word::refuted)
     text += fmt::format("  {} {}", notion == Notion::beliefs ? "distance" : "gain", margin_text(notion, verdict));
   if (!verdict.witness.empty()) text += ": " + verdict.witness;
   return text + "\n";
@@ -55,7 +55,7 @@ void write_one(std::ostream& out, const OpponentReport& report) {
   if (report.path) out << "path      " << path_words(*report.path, most_shown) << " (own move first)\n";
   if (!report.states.empty()) {
     out << fmt::format("states    {} situations of positive probability; after ...: P(C) own, theirs\n",
-                       report.states.size());
+                       report.all_states);
     for (std::size_t i = 0; i < std::min<std::size_t>(report.states.size(), 12); ++i)
       out << fmt::format("          {}: {:.4g}, {:.4g}\n",
                          report.states[i].history.empty() ? "(start)" : history_text(report.states[i].history),

@@ -36,8 +36,8 @@ Look look_of(const std::optional<Certificate>& verdict) {
 }  // namespace
 
 std::string payoff_text(double value) {
-  return value == std::floor(value) && std::abs(value) < 1e15 ? fmt::format("{:.0f}", value)
-                                                              : fmt::format("{:.4f}", value);
+  if (value == std::floor(value) && std::abs(value) < 1e15) return fmt::format("{:.0f}", value);
+  return std::abs(value) < 1e-3 ? fmt::format("{:.3g}", value) : fmt::format("{:.4f}", value);
 }
 
 std::string share_text(const std::optional<double>& share) {
@@ -103,6 +103,8 @@ Html sign_of(const std::optional<Certificate>& verdict) {
 }
 
 std::string margin_text(Notion notion, const Certificate& verdict) {
+  // Too small for a double is not 0.
+  if (verdict.margin == 0 && !verdict.margin_exact.empty() && verdict.margin_exact != "0") return "above 0";
   const bool exact = !verdict.margin_exact.empty() && verdict.margin_exact.size() <= 20;
   const std::string margin = exact ? verdict.margin_exact : payoff_text(verdict.margin);
   if (notion == Notion::beliefs) return margin;

@@ -97,6 +97,18 @@ TEST(PairGaps, RefusesMachinesWithoutEndUnderCriteriaWithoutEnd) {
   EXPECT_FALSE(gaps.first.subgame_perfect);
 }
 
+TEST(PairGaps, AnEndlessMemberThatIsLeftOutIsABoundAndNamed) {
+  // Against soft_majo, C and D in turn earn 4 a round: less is gained than the 2 against all_c.
+  const auto gaps = against_itself("all_c", "mean", "T=5,R=3,P=1,S=0", "all_c,soft_majo");
+  ASSERT_TRUE(gaps.first.self_confirming_class);
+  EXPECT_EQ(gaps.first.self_confirming_class->gain, 0);
+  EXPECT_TRUE(gaps.first.self_confirming_class->bounded());
+  EXPECT_NE(gaps.first.self_confirming_class->tried.find("soft_majo"), std::string::npos);
+  // Another member that gives 0 decides.
+  EXPECT_FALSE(
+      against_itself("all_c", "mean", "T=5,R=3,P=1,S=0", "soft_majo,spiteful").first.self_confirming_class->bounded());
+}
+
 /// Nash implies (a), and (b) implies (a), as numbers; at any criterion, and the chance code agrees with the exact one.
 RC_GTEST_PROP(PairGaps, AreOrderedAsTheNotionsAre, ()) {
   RandomStream random({*rc::gen::arbitrary<std::uint64_t>(), 0, 0, 0});

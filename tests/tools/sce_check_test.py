@@ -94,6 +94,26 @@ class Report(unittest.TestCase):
         self.assertIsNone(report["thresholds"])
         self.assertGreater(report["gaps"]["own"]["nash"], 0)
 
+    def test_equal_samples_refute_nothing(self):
+        # A program that always defects is a best reply; samples without variance must not say otherwise.
+        always = "while read a b; do case $a in move) echo D;; end) exit;; esac; done"
+        with tempfile.TemporaryDirectory() as folder:
+            script = pathlib.Path(folder) / "always.sh"
+            script.write_text(always)
+            done = run(f'exec:"sh {script}"', "random(0.001)", "--rounds", "20", "--repetitions", "40", "--require", "nash")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("not refuted", done.stdout)
+
+    def test_the_reply_that_gains_is_a_machine(self):
+        verdict = itself("pavlov", "--criterion", "discounted:0.6")["verdicts"]["nash"]
+        self.assertTrue(verdict["witness_machine"].startswith("machine best_reply"))
+
+    def test_gains_of_fractions_are_compared_exactly(self):
+        # pavlov gains exactly 1/2 by the best reply at d = 0.6.
+        for epsilon, word in (("1/2", "certified"), ("0.4999999999999999999", "refuted")):
+            verdict = itself("pavlov", "--criterion", "discounted:0.6", "--epsilon-payoff", epsilon)["verdicts"]["nash"]
+            self.assertEqual(verdict["word"], word)
+
     def test_csv_has_a_row_for_each_opponent(self):
         done = run("tit_for_tat", "--opponents", "classics", "--format", "csv")
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -174,7 +194,9 @@ class BadInput(unittest.TestCase):
         self.assertIn("discount factor", self.refused(2, "pavlov", "--criterion", "discounted:nan"))
         self.assertIn("discount factor", self.refused(2, "pavlov", "--criterion", "discounted:3/2"))
         self.assertIn("--epsilon-belief", self.refused(2, "pavlov", "--epsilon-belief", "-1"))
-        self.assertIn("--depth", self.refused(2, "pavlov", "--depth", "0"))
+        self.assertIn("--depth", self.refused(2, "pavlov", "--depth", "10"))
+        self.assertIn("--epsilon-payoff", self.refused(2, "pavlov", "--epsilon-payoff", "-1"))
+        self.assertIn("of the class", self.refused(2, "spiteful", "spiteful", "--rounds", "1000000", "--class", "soft_majo"))
         self.assertIn("--require", self.refused(2, "pavlov", "--require", "peace"))
         self.assertIn("contradict", self.refused(2, "pavlov", "pavlov", "--opponents", "classics"))
         self.assertIn("machine already", self.refused(2, "pavlov", "pavlov", "--extract"))
