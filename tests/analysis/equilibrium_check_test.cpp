@@ -81,6 +81,22 @@ TEST(PairGaps, CooperationOverRoundsThatEndGains2ByTheLastD) {
   EXPECT_EQ(gaps.first.nash->witness.deviation, Move::D);
 }
 
+TEST(PairGaps, OnlyPathsOfDSurviveWhereRoundsEnd) {
+  constexpr unsigned rounds = 4;
+  for (unsigned moves = 0; moves < 1U << (2 * rounds); ++moves) {
+    PlayPath path;
+    bool all_d = true;
+    for (unsigned t = 0; t < rounds; ++t) {
+      path.rounds.push_back({move_from_bit(moves >> (2 * t)), move_from_bit(moves >> (2 * t + 1))});
+      all_d = all_d && path.rounds.back() == Round{Move::D, Move::D};
+    }
+    const auto gaps = match_gaps(path, nullptr, nullptr, {{}, Criterion::finite(rounds), {}});
+    const bool survives =
+        *gaps.first.self_confirming_unrestricted->exact == 0 && *gaps.second.self_confirming_unrestricted->exact == 0;
+    EXPECT_EQ(survives, all_d) << moves;
+  }
+}
+
 TEST(PairGaps, AllCUnderTheMeanIsNotPerfectByOneShotDeviationsAlone) {
   // One deviation never changes a mean, yet all_d against all_c earns 5 instead of 3.
   EXPECT_EQ(perfect("all_c", "mean"), 2);
