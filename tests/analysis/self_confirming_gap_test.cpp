@@ -160,7 +160,11 @@ TEST(ClassGap, BoundsMembersWithoutEnd) {
   };
   EXPECT_EQ(at(Criterion::discounted(0.9))->depth, 30U);
   EXPECT_FALSE(at(Criterion::finite(10))->depth);
-  EXPECT_FALSE(at(Criterion::mean()));
+  // Under mean nothing is known of it.
+  const auto unknown = at(Criterion::mean());
+  ASSERT_TRUE(unknown);
+  EXPECT_EQ(unknown->gain, 0);
+  EXPECT_NE(unknown->tried.find("gradual"), std::string::npos);
 }
 
 }  // namespace

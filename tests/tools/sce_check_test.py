@@ -126,6 +126,7 @@ class Report(unittest.TestCase):
         self.assertEqual(len(report["opponents"]), 17)
 
 
+@unittest.skipIf("FOLK_SANITIZED" in os.environ, "ten thousand thoughts of a transformer; sce_page_test has fewer")
 class Transformer(unittest.TestCase):
     """The shipped policy on a few opponents; the whole reports are in docs/."""
 
@@ -151,16 +152,6 @@ class Transformer(unittest.TestCase):
             self.assertLessEqual(report["gaps"]["own"]["self_confirming_unrestricted"], report["gaps"]["own"]["nash"])
         self.assertIsNone(pavlov["thresholds"])
 
-    def test_policy_file_by_its_path(self):
-        done = run("sct:nowhere.bin")
-        self.assertEqual(done.returncode, 3)
-        with tempfile.TemporaryDirectory() as folder:
-            broken = pathlib.Path(folder) / "broken.bin"
-            broken.write_bytes(b"\x00" * 100)
-            done = run(str(broken))
-            self.assertEqual(done.returncode, 3)
-            self.assertEqual(len(done.stderr.splitlines()), 1)
-
     def test_files(self):
         with tempfile.TemporaryDirectory() as folder:
             done = run("sct", "tit_for_tat", "--depth", "1", "--extract", "--output", folder)
@@ -180,6 +171,16 @@ class BadInput(unittest.TestCase):
         self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
         self.assertEqual(done.stdout, "")
         return done.stderr
+
+    def test_policy_file_by_its_path(self):
+        done = run("sct:nowhere.bin")
+        self.assertEqual(done.returncode, 3)
+        with tempfile.TemporaryDirectory() as folder:
+            broken = pathlib.Path(folder) / "broken.bin"
+            broken.write_bytes(b"\x00" * 100)
+            done = run(str(broken))
+            self.assertEqual(done.returncode, 3)
+            self.assertEqual(len(done.stderr.splitlines()), 1)
 
     def test_one_line_each(self):
         self.assertIn("no policy named", self.refused(2))
