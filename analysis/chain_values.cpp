@@ -19,11 +19,6 @@ using Eigen::VectorXd;
 /// Multiplications that sweeping may take.
 constexpr double most_work = 4e9;
 
-/// What a reward of a round is multiplied by.
-double first_weight(const Criterion& criterion) {
-  return criterion.kind() == Criterion::Kind::discounted ? criterion.stopping() : 1;
-}
-
 void solve_at_once(const MarkovChain& chain, const std::vector<double>& rewards, const Criterion& criterion,
                    std::vector<double>& values) {
   const auto n = static_cast<Index>(chain.size());
@@ -105,6 +100,10 @@ void solve_transient(const MarkovChain& chain, const std::vector<double>& reward
 }
 
 }  // namespace
+
+double first_weight(const Criterion& criterion) {
+  return criterion.kind() == Criterion::Kind::discounted ? criterion.stopping() : 1;
+}
 
 double sweep(const MarkovChain& chain, const std::vector<double>& rewards, const Criterion& criterion,
              std::vector<double>& values) {

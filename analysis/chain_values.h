@@ -12,6 +12,9 @@ namespace folk {
 /// Chains with more states are not solved at once.
 inline constexpr std::size_t most_solved_states = 2'000;
 
+/// What the payoff of the present round is multiplied by: 1-d for discounted, 1 for ending.
+double first_weight(const Criterion& criterion);
+
 /// The payoff from each state on under discounted or ending; `rewards` are expected payoffs of a round. `values` holds
 /// a first guess and the answer. Solved at once, or by sweeps until a sweep changes nothing that counts, whichever is
 /// quicker. Throws UsageError when neither is feasible.

@@ -1,3 +1,4 @@
+#include <folk/analysis/chain_values.h>
 #include <folk/analysis/flow.h>
 
 #include <algorithm>
@@ -88,16 +89,15 @@ void Flow::evaluate() {
   // A few roundings a round, discounted like the payoffs they are in.
   doubt_ = 64 * 0x1p-53 * largest * criterion_.total_weight() / criterion_.stopping();
   const double d = criterion_.continuation();
-  const double first_weight = criterion_.kind() == Criterion::Kind::discounted ? criterion_.stopping() : 1;
+  const double weight = first_weight(criterion_);
   for (const auto& cycle : cycles_) {
     double sum = 0;
     for (std::size_t i = cycle.size(); i-- > 0;) sum = rewards_[cycle[i]] + d * sum;
-    values_[cycle[0]] = first_weight / scale_ * sum / criterion_.lost_within(static_cast<double>(cycle.size()));
+    values_[cycle[0]] = weight / scale_ * sum / criterion_.lost_within(static_cast<double>(cycle.size()));
     for (std::size_t i = cycle.size(); i-- > 1;)
-      values_[cycle[i]] =
-          first_weight * rewards_[cycle[i]] / scale_ + d * values_[cycle[i + 1 == cycle.size() ? 0 : i + 1]];
+      values_[cycle[i]] = weight * rewards_[cycle[i]] / scale_ + d * values_[cycle[i + 1 == cycle.size() ? 0 : i + 1]];
   }
-  for (const auto s : order_) values_[s] = first_weight * rewards_[s] / scale_ + d * values_[next_[s]];
+  for (const auto s : order_) values_[s] = weight * rewards_[s] / scale_ + d * values_[next_[s]];
 }
 
 Flow::Course Flow::course_from(std::uint32_t state) const {
@@ -202,8 +202,8 @@ int Flow::gain_sign(std::uint32_t state, double reward, std::uint32_t next) cons
 
 double Flow::rounded_gain(std::uint32_t state, double reward, std::uint32_t next) const {
   if (criterion_.kind() == Criterion::Kind::mean) return values_[next] - values_[state];
-  const double first_weight = criterion_.kind() == Criterion::Kind::discounted ? criterion_.stopping() : 1;
-  return first_weight * reward / scale_ + criterion_.continuation() * values_[next] - values_[state];
+  const double weight = first_weight(criterion_);
+  return weight * reward / scale_ + criterion_.continuation() * values_[next] - values_[state];
 }
 
 }  // namespace folk

@@ -77,7 +77,7 @@ private:
 constexpr double least_improvement = 1e-13;
 
 StationaryReply discounted_reply(const Choices& choices, const Criterion& criterion) {
-  const double weight = criterion.kind() == Criterion::Kind::discounted ? criterion.stopping() : 1;
+  const double weight = first_weight(criterion);
   const double d = criterion.continuation();
   const auto worth = [&](std::size_t s, Move own, const std::vector<double>& values) {
     return weight * choices.reward(s, own) + d * choices.mean_of(s, own, values);
@@ -101,13 +101,10 @@ StationaryReply discounted_reply(const Choices& choices, const Criterion& criter
   // A few sweeps are enough to choose by; only the last policies are solved.
   constexpr int rough_steps = 60;
   constexpr int sweeps_between = 20;
-  bool changing = true;
-  for (int step = 0; step < rough_steps && changing; ++step) {
-    changing = improve();
-    if (!changing && step > 0) break;
+  for (int step = 0; step < rough_steps; ++step) {
+    if (!improve() && step > 0) break;
     choices.follow(moves, chain, rewards);
     for (int i = 0; i < sweeps_between; ++i) sweep(chain, rewards, criterion, values);
-    changing = true;
   }
   // Values rise from policy to policy. Where they no longer do, rounding alone would make policies take turns for ever.
   double best = -std::numeric_limits<double>::infinity();

@@ -171,7 +171,7 @@ Gap chance_gap(const Side& side, const Payoffs& payoffs, const Criterion& criter
   } else {
     std::vector<double> values(side.size());
     solve_discounted(chain, rewards, criterion, values);
-    const double weight = criterion.kind() == Criterion::Kind::discounted ? criterion.stopping() : 1;
+    const double weight = first_weight(criterion);
     double off = 0;  // by how much the values miss their own equation
     for (std::size_t s = 0; s < side.size(); ++s) {
       const double p = side.own_cooperation(s);

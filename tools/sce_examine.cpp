@@ -46,12 +46,13 @@ void list_states(const Machine& own, const Machine& theirs, const Criterion& cri
     report.states.push_back({play.history_to(s), play.first_cooperation(s), play.second_cooperation(s)});
 }
 
-OpponentReport examine_machines(const SceQuestion& question, const Strategy& opponent, ClassReplies& beliefs) {
+OpponentReport examine_machines(const SceQuestion& question, const Strategy& opponent, const EquilibriumQuestion& asked,
+                                ClassReplies& beliefs) {
   const Machine& own = *question.policy.machine;
   const Machine& theirs = *opponent.machine;
   OpponentReport report;
   report.opponent = opponent.name;
-  report.gaps = pair_gaps(own, theirs, equilibrium_question(question), beliefs);
+  report.gaps = pair_gaps(own, theirs, asked, beliefs);
   const PairResult pair = play_pair(question.policy, opponent, sampling_of(question));
   report.own_score = payoff_of(pair.weights, question.game.payoffs, false);
   report.their_score = payoff_of(pair.weights, question.game.payoffs, true);
@@ -111,7 +112,7 @@ Scores scores_of(const BeliefRecord& record, const Payoffs& payoffs) {
 
 /// What a path that was played says, and what must be sampled else.
 OpponentReport examine_record(const SceQuestion& question, const Strategy& opponent, BeliefRecord record,
-                              ClassReplies& beliefs) {
+                              const EquilibriumQuestion& asked, ClassReplies& beliefs) {
   OpponentReport report;
   report.opponent = opponent.name;
   const Scores scores = scores_of(record, question.game.payoffs);
@@ -121,8 +122,7 @@ OpponentReport examine_record(const SceQuestion& question, const Strategy& oppon
   if (record.once) {
     PlayPath path;
     for (const auto& round : record.matches.front()) path.rounds.push_back({round.own, round.theirs});
-    report.gaps = match_gaps(path, question.policy.machine.get(), opponent.machine.get(),
-                             equilibrium_question(question), beliefs);
+    report.gaps = match_gaps(path, question.policy.machine.get(), opponent.machine.get(), asked, beliefs);
     report.path = std::move(path);
   } else if (opponent.machine) {
     const BestReply reply = best_reply(*opponent.machine, question.game.payoffs, question.criterion);
@@ -292,15 +292,16 @@ auto against(const SceQuestion& question, const Strategy& opponent, Work work) {
 
 SceReport examine(const SceQuestion& question, const Stage& stage) {
   SceReport report;
-  ClassReplies beliefs = class_replies(equilibrium_question(question));
+  const EquilibriumQuestion asked = equilibrium_question(question);
+  ClassReplies beliefs = class_replies(asked);
   if (question.policy.machine) {
     const auto progress = stage("checking pairs");
     for (std::size_t i = 0; i < question.opponents.size(); ++i) {
       const Strategy& opponent = question.opponents[i];
       report.opponents.push_back(against(question, opponent, [&] {
-        if (opponent.machine) return examine_machines(question, opponent, beliefs);
+        if (opponent.machine) return examine_machines(question, opponent, asked, beliefs);
         auto records = record_beliefs(question.policy, {opponent}, sampling_of(question));
-        return examine_record(question, opponent, std::move(records.front()), beliefs);
+        return examine_record(question, opponent, std::move(records.front()), asked, beliefs);
       }));
       progress(static_cast<double>(i + 1) / static_cast<double>(question.opponents.size()));
     }
@@ -308,7 +309,7 @@ SceReport examine(const SceQuestion& question, const Stage& stage) {
     auto records = record_beliefs(question.policy, question.opponents, sampling_of(question), stage("playing"));
     for (std::size_t i = 0; i < records.size(); ++i)
       report.opponents.push_back(against(question, question.opponents[i], [&] {
-        return examine_record(question, question.opponents[i], std::move(records[i]), beliefs);
+        return examine_record(question, question.opponents[i], std::move(records[i]), asked, beliefs);
       }));
     add_known_replies(question, report.opponents);
     add_own_search(question, report.opponents, stage);
