@@ -20,16 +20,16 @@ void parallel_for(std::size_t count, unsigned threads, const std::function<void(
     for (std::size_t i = next++; i < failed_at; i = next++) {
       try {
         work(i, worker);
+        if (progress) {
+          const std::lock_guard lock(mutex);
+          progress(static_cast<double>(++done) / static_cast<double>(count));
+        }
       } catch (...) {
         const std::lock_guard lock(mutex);
         if (i < failed_at) {
           failed_at = i;
           failure = std::current_exception();
         }
-      }
-      if (progress) {
-        const std::lock_guard lock(mutex);
-        progress(static_cast<double>(++done) / static_cast<double>(count));
       }
     }
   };

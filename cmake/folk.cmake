@@ -34,11 +34,12 @@ function(folk_precompile target)
   endif()
 endfunction()
 
-# folk_library(games DEPENDS fmt::fmt): the library of this folder, folk::games, from all its sources.
+# folk_library(games DEPENDS fmt::fmt): the library of this folder, folk::games, from all its sources, those in
+# its rooms too.
 function(folk_library name)
   cmake_parse_arguments(ARG "" "" "DEPENDS;PRIVATE_DEPENDS" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
-  file(GLOB headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
   add_library(folk_${name} ${sources} ${headers})
   add_library(folk::${name} ALIAS folk_${name})
   set_target_properties(folk_${name} PROPERTIES EXPORT_NAME ${name})
@@ -50,7 +51,8 @@ function(folk_library name)
   if(FOLK_INSTALL)
     install(TARGETS folk_${name} EXPORT FolkTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
                                                     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-    install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/folk/${name})
+    install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/folk/${name}
+            FILES_MATCHING PATTERN "*.h")
   endif()
 endfunction()
 

@@ -6,9 +6,13 @@
 
 #include <atomic>
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstring>
 #include <fstream>
+#include <optional>
 #include <system_error>
+#include <vector>
 
 namespace folk {
 
@@ -40,6 +44,22 @@ void write_through(const fs::path& path, const fs::path& shown, const std::funct
   errno = 0;
   file.close();
   if (!file) fail(shown, errno != 0 ? std::strerror(errno) : "the disk is full or failing");
+}
+
+/// The process of a temporary name "path.PID.SERIAL.tmp"; nothing for any other name.
+std::optional<pid_t> writer_of(const std::string& name, const std::string& path) {
+  constexpr std::string_view end = ".tmp";
+  if (!name.starts_with(path + ".") || !name.ends_with(end) || name.size() < path.size() + 1 + end.size())
+    return std::nullopt;
+  const char* at = name.data() + path.size() + 1;
+  const char* stop = name.data() + name.size() - end.size();
+  pid_t process = 0;
+  unsigned serial = 0;
+  const auto first = std::from_chars(at, stop, process);
+  if (first.ec != std::errc() || first.ptr == stop || *first.ptr != '.' || process <= 0) return std::nullopt;
+  const auto second = std::from_chars(first.ptr + 1, stop, serial);
+  if (second.ec != std::errc() || second.ptr != stop) return std::nullopt;
+  return process;
 }
 
 }  // namespace
@@ -94,6 +114,18 @@ void write_file(const fs::path& path, const std::function<void(std::ostream&)>& 
 
 void write_file(const fs::path& path, std::string_view content) {
   write_file(path, [&](std::ostream& out) { out.write(content.data(), static_cast<std::streamsize>(content.size())); });
+}
+
+void remove_cut_off_writes(const fs::path& path) {
+  const fs::path target = behind_links(path);
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  std::error_code error;
+  std::vector<fs::path> left;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const auto process = writer_of(entry->path().filename().string(), target.filename().string());
+    if (process && ::kill(*process, 0) != 0 && errno == ESRCH) left.push_back(entry->path());
+  }
+  for (const auto& file : left) fs::remove(file, error);
 }
 
 }  // namespace folk

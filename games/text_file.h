@@ -27,4 +27,7 @@ std::string read_text_file(const std::filesystem::path& path);
 void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& content);
 void write_file(const std::filesystem::path& path, std::string_view content);
 
+/// Removes what processes that are gone left of their writes to `path`, having been killed in the middle of one.
+void remove_cut_off_writes(const std::filesystem::path& path);
+
 }  // namespace folk

@@ -41,9 +41,6 @@ struct Checkpoint {
   std::vector<float> kept_parameters;  ///< its policy's; empty without a history
 };
 
-/// No checkpoint that Folk reads is larger than this.
-inline constexpr std::size_t largest_checkpoint = std::size_t{4} << 30U;
-
 /// Throws UsageError when a number is not finite: training has diverged.
 std::string checkpoint_bytes(const Checkpoint& checkpoint);
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
@@ -15,6 +16,7 @@
 #include <limits>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 namespace folk::sct {
 
@@ -25,7 +27,8 @@ constexpr std::size_t most_dimensions = 8;
 constexpr std::size_t longest_header = 65535;  // what version 1.0 can hold
 constexpr std::size_t alignment = 64;          // of the first number
 constexpr std::size_t largest_file = (most_npy_values * 8) + (std::size_t{1} << 20U);
-constexpr double largest_whole = 9007199254740992.0;  // 2^53
+constexpr std::size_t largest_count = std::numeric_limits<std::size_t>::max() / 8;  // in bytes still a size_t
+constexpr double largest_whole = 9007199254740992.0;                                // 2^53
 
 constexpr std::array all_types = {NpyType::float32, NpyType::float64, NpyType::int32,  NpyType::int64,
                                   NpyType::int8,    NpyType::uint8,   NpyType::boolean};
@@ -33,8 +36,6 @@ constexpr std::array all_types = {NpyType::float32, NpyType::float64, NpyType::i
 [[noreturn]] void refuse(const std::string& source, const std::string& why) {
   throw InputFileError(fmt::format("{}: {}", excerpt(source, 1000), why));
 }
-
-std::size_t bytes_of(NpyType type) { return static_cast<std::size_t>(to_string(type)[2] - '0'); }
 
 /// Calls `with` with a zero of the type's own C++ type; truth values are bytes.
 template <class With>
@@ -56,20 +57,20 @@ using WordOf = std::conditional_t<sizeof(Number) == 8, std::uint64_t,
                                   std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint8_t>>;
 
 /// What the header's dictionary says.
-struct Header {
+struct Dictionary {
   std::optional<std::string> type;
   std::optional<bool> fortran_order;
   std::optional<std::vector<std::size_t>> shape;
 };
 
-/// Reads the header: a literal of Python with three keys in any order.
-class HeaderReader {
+/// Reads the dictionary: a literal of Python with three keys in any order.
+class DictionaryReader {
 public:
-  HeaderReader(std::string_view text, const std::string& source)
+  DictionaryReader(std::string_view text, const std::string& source)
       : rest_(text),
         source_(source) {}
 
-  Header read() {
+  Dictionary read() {
     expect('{');
     while (!take('}')) {
       const std::string key = text();
@@ -79,8 +80,8 @@ public:
     }
     skip_blanks();
     if (!rest_.empty()) damaged("something follows its '}'");
-    if (!header_.type || !header_.fortran_order || !header_.shape) damaged("it lacks descr, fortran_order or shape");
-    return header_;
+    if (!found_.type || !found_.fortran_order || !found_.shape) damaged("it lacks descr, fortran_order or shape");
+    return found_;
   }
 
 private:
@@ -113,19 +114,19 @@ private:
     if (quote != '\'' && quote != '"') damaged("a text is missing");
     const auto end = rest_.find(quote, 1);
     if (end == std::string_view::npos) damaged("a text does not end");
-    std::string found(rest_.substr(1, end - 1));
+    std::string inside(rest_.substr(1, end - 1));
     rest_.remove_prefix(end + 1);
-    return found;
+    return inside;
   }
 
   void read_value(const std::string& key) {
     if (key == "descr") {
       if (next_is('[')) refuse(source_, "an array of records; store one array of numbers a file");
-      once(header_.type, key) = text();
+      once(found_.type, key) = text();
     } else if (key == "fortran_order") {
-      once(header_.fortran_order, key) = truth();
+      once(found_.fortran_order, key) = truth();
     } else if (key == "shape") {
-      read_shape(once(header_.shape, key).emplace());
+      read_shape(once(found_.shape, key).emplace());
     } else {
       damaged(fmt::format("an unknown '{}'", excerpt(key)));
     }
@@ -160,6 +161,7 @@ private:
       const auto [stop, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), size);
       if (error != std::errc()) damaged("a size that is no whole number in range");
       rest_.remove_prefix(static_cast<std::size_t>(stop - rest_.data()));
+      if (rest_.starts_with('L')) rest_.remove_prefix(1);  // a whole number as Python 2 wrote it
       shape.push_back(size);
       comma = take(',');
     }
@@ -168,7 +170,7 @@ private:
 
   std::string_view rest_;
   const std::string& source_;
-  Header header_;
+  Dictionary found_;
 };
 
 /// The header's text; `bytes` loses all that stands before the numbers.
@@ -201,13 +203,13 @@ NpyType type_of(const std::string& descr, const std::string& source) {
                              excerpt(descr)));
 }
 
-/// The shape's product, no more than most_npy_values; a shape with a 0 may have any other sizes.
-std::optional<std::size_t> product(const std::vector<std::size_t>& shape) {
+/// The shape's product where it is no more than `most`; a shape with a 0 may have any other sizes.
+std::optional<std::size_t> product(const std::vector<std::size_t>& shape, std::size_t most = most_npy_values) {
   std::size_t count = 1;
   for (const std::size_t size : shape)
     if (size == 0) return 0;
   for (const std::size_t size : shape) {
-    if (size > most_npy_values / count) return std::nullopt;
+    if (size > most / count) return std::nullopt;
     count *= size;
   }
   return count;
@@ -228,32 +230,46 @@ std::string_view to_string(NpyType type) {
   return "?";
 }
 
-std::string npy_place(const NpyArray& array, std::size_t value) {
-  std::vector<std::size_t> indices(array.shape.size());
+std::size_t bytes_of(NpyType type) { return static_cast<std::size_t>(to_string(type)[2] - '0'); }
+
+std::string npy_place(const std::vector<std::size_t>& shape, std::size_t value) {
+  std::vector<std::size_t> indices(shape.size());
   for (std::size_t d = indices.size(); d-- > 0;) {
-    indices[d] = value % array.shape[d];
-    value /= array.shape[d];
+    indices[d] = value % shape[d];
+    value /= shape[d];
   }
   return fmt::format("{}", fmt::join(indices, ", "));
 }
 
-NpyArray parse_npy(std::string_view bytes, const std::string& source) {
-  const Header header = HeaderReader(take_header(bytes, source), source).read();
-  const NpyType type = type_of(*header.type, source);
-  NpyArray array{*header.shape, {}};
-  if (*header.fortran_order && array.shape.size() > 1)
-    refuse(source, "in Fortran order; store numpy.ascontiguousarray of it");
-  const auto count = product(array.shape);
-  if (!count) refuse(source, fmt::format("more than {} numbers; split the array into several files", most_npy_values));
-  if (bytes.size() != *count * bytes_of(type))
-    refuse(source, fmt::format("{} bytes of numbers, but shape ({}) of {} asks for {}; take a fresh copy", bytes.size(),
-                               fmt::join(array.shape, ", "), to_string(type), *count * bytes_of(type)));
+std::string npy_place(const NpyArray& array, std::size_t value) { return npy_place(array.shape, value); }
 
-  array.values.reserve(*count);
+NpyHeader parse_npy_header(std::string_view bytes, const std::string& source, std::size_t most) {
+  std::string_view numbers = bytes;
+  const Dictionary dictionary = DictionaryReader(take_header(numbers, source), source).read();
+  const NpyHeader header{type_of(*dictionary.type, source), *dictionary.shape, bytes.size() - numbers.size()};
+  if (*dictionary.fortran_order && header.shape.size() > 1)
+    refuse(source, "in Fortran order; store numpy.ascontiguousarray of it");
+  most = std::min(most, largest_count);
+  const auto count = product(header.shape, most);
+  if (!count) refuse(source, fmt::format("more than {} numbers; split the array into several files", most));
+  const std::size_t asked = *count * bytes_of(header.type);
+  if (numbers.size() != asked)
+    refuse(source, fmt::format("{} bytes of numbers, but shape ({}) of {} asks for {}; take a fresh copy",
+                               numbers.size(), fmt::join(header.shape, ", "), to_string(header.type), asked));
+  return header;
+}
+
+NpyArray parse_npy(std::string_view bytes, const std::string& source) {
+  NpyHeader header = parse_npy_header(bytes, source);
+  const NpyType type = header.type;
+  bytes.remove_prefix(header.begin);
+  NpyArray array{std::move(header.shape), {}};
+  const std::size_t count = bytes.size() / bytes_of(type);
+  array.values.reserve(count);
   with_type(type, [&](auto zero) {
     using Number = decltype(zero);
     using Word = WordOf<Number>;
-    for (std::size_t i = 0; i < *count; ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
       const auto number = std::bit_cast<Number>(load_little_endian<Word>(bytes.substr(i * sizeof(Word))));
       const auto value = static_cast<double>(number);
       const bool wrong =
@@ -269,12 +285,11 @@ NpyArray parse_npy(std::string_view bytes, const std::string& source) {
 
 NpyArray read_npy(const std::filesystem::path& path) { return parse_npy(read_file(path, largest_file), path.string()); }
 
-std::string npy_bytes(const NpyArray& array, NpyType type) {
-  if (array.shape.size() > most_dimensions || product(array.shape) != array.values.size())
-    throw UsageError(fmt::format("an array of shape ({}) does not hold {} values", fmt::join(array.shape, ", "),
-                                 array.values.size()));
+std::string npy_header_bytes(const std::vector<std::size_t>& shape, NpyType type) {
+  if (shape.size() > most_dimensions)
+    throw UsageError(fmt::format("an array of {} dimensions: at most {}", shape.size(), most_dimensions));
   std::string header = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}{}), }}", to_string(type),
-                                   fmt::join(array.shape, ", "), array.shape.size() == 1 ? "," : "");
+                                   fmt::join(shape, ", "), shape.size() == 1 ? "," : "");
   const std::size_t before = magic.size() + 2 + 2;
   header.append(alignment - 1 - (before + header.size()) % alignment, ' ');
   header += '\n';
@@ -282,7 +297,14 @@ std::string npy_bytes(const NpyArray& array, NpyType type) {
   bytes += '\1';
   bytes += '\0';
   append_little_endian(bytes, static_cast<std::uint16_t>(header.size()));
-  bytes += header;
+  return bytes + header;
+}
+
+std::string npy_bytes(const NpyArray& array, NpyType type) {
+  if (array.shape.size() > most_dimensions || product(array.shape) != array.values.size())
+    throw UsageError(fmt::format("an array of shape ({}) does not hold {} values", fmt::join(array.shape, ", "),
+                                 array.values.size()));
+  std::string bytes = npy_header_bytes(array.shape, type);
   bytes.reserve(bytes.size() + array.values.size() * bytes_of(type));
   with_type(type, [&](auto zero) {
     using Number = decltype(zero);

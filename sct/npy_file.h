@@ -42,7 +42,26 @@ std::string npy_bytes(const NpyArray& array, NpyType type);
 /// Writes npy_bytes at once or not at all (write_file of games/text_file.h). Throws UsageError, EnvironmentError.
 void write_npy(const std::filesystem::path& path, const NpyArray& array, NpyType type);
 
+/// What a file says before its numbers.
+struct NpyHeader {
+  NpyType type = NpyType::float64;
+  std::vector<std::size_t> shape;
+  std::size_t begin = 0;  ///< bytes before the first number; all that follow are numbers
+};
+
+/// Reads it off a whole file's bytes, for those who read the numbers themselves. Throws what parse_npy throws, but for
+/// the numbers, of which there may be up to `most`.
+NpyHeader parse_npy_header(std::string_view bytes, const std::string& source, std::size_t most = most_npy_values);
+
+/// The bytes before the numbers in a version 1.0 file: a multiple of 64. Throws UsageError when the shape has too many
+/// dimensions.
+std::string npy_header_bytes(const std::vector<std::size_t>& shape, NpyType type);
+
+/// How many bytes a number of this type has.
+std::size_t bytes_of(NpyType type);
+
 /// The place of a value as its indices: "3, 17".
+std::string npy_place(const std::vector<std::size_t>& shape, std::size_t value);
 std::string npy_place(const NpyArray& array, std::size_t value);
 
 }  // namespace folk::sct

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 #include <folk/games/error.h>
+#include <folk/strategies/nearest_names.h>
 #include <folk/strategies/registry.h>
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -22,18 +22,6 @@ std::string_view trimmed(std::string_view text) {
 /// letter, any other name as it is matched.
 std::string identity(std::string_view name) {
   return name.find(':') != std::string_view::npos ? std::string(name) : name_key(name);
-}
-
-/// How many letters must be inserted, dropped or changed (Levenshtein).
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j)
-      diagonal = std::exchange(row[j + 1], std::min({row[j + 1] + 1, row[j] + 1, diagonal + (a[i] == b[j] ? 0U : 1U)}));
-  }
-  return row.back();
 }
 
 /// "head(arguments)" split at the first parenthesis; no arguments when there is none.
@@ -203,18 +191,10 @@ const Description& Registry::describe(std::string_view name) const {
 }
 
 void Registry::unknown(std::string_view name) const {
-  const std::string key = name_key(name.substr(0, 100));
-  std::vector<std::pair<std::size_t, std::string>> near;
-  const auto consider = [&](std::string_view candidate_key, const std::string& shown) {
-    const std::size_t distance = edit_distance(key, candidate_key);
-    if (distance <= std::max<std::size_t>(2, key.size() / 2)) near.emplace_back(distance, shown);
-  };
-  for (const auto& [candidate, named] : named_) consider(candidate, strategies_[named.description].name);
-  for (const auto& group : groups_) consider(name_key(split_call(group.name).head), group.name);
-  std::sort(near.begin(), near.end());
-  std::vector<std::string> names;
-  for (const auto& [distance, shown] : near)
-    if (names.size() < 3 && std::find(names.begin(), names.end(), shown) == names.end()) names.push_back(shown);
+  std::vector<NameCandidate> candidates;
+  for (const auto& [key, named] : named_) candidates.push_back({key, strategies_[named.description].name});
+  for (const auto& group : groups_) candidates.push_back({name_key(split_call(group.name).head), group.name});
+  const auto names = nearest_names(name, candidates);
   throw UsageError(fmt::format("unknown strategy '{}'{}; 'ipd-strategies list' shows all", excerpt(name),
                                names.empty() ? "" : fmt::format(": did you mean {}?", fmt::join(names, ", "))));
 }

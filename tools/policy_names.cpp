@@ -1,10 +1,11 @@
 #include "policy_names.h"
 
+#include "data_folder.h"
+
 #include <fmt/format.h>
 #include <folk/games/error.h>
 #include <folk/sct/policy_file.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -18,14 +19,6 @@ namespace fs = std::filesystem;
 
 Strategy policy_strategy(const std::string& name, const fs::path& file, const sct::PlayOptions& options) {
   return sct::transformer(name, read_mind(file), options);
-}
-
-/// Where the data of this program's installation or build lies.
-fs::path data_folder() {
-  if (const char* folder = std::getenv("FOLK_DATA"); folder != nullptr && *folder != '\0') return folder;
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  return (program.parent_path() / FOLK_DATA_FROM_PROGRAM).lexically_normal();
 }
 
 fs::path shipped_file(const std::string& name) { return data_folder() / "policies" / (name + ".bin"); }

@@ -1,6 +1,8 @@
 // sct-train: trains a self-confirming transformer and keeps the best policy it met.
 
+#include "checkpoint_option.h"
 #include "interruption.h"
+#include "output_file.h"
 #include "program.h"
 #include "standard_names.h"
 #include "train_config.h"
@@ -16,15 +18,11 @@
 #include <folk/sct/validation.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <thread>
 #include <utility>
-
-#include <unistd.h>
 
 namespace folk::tools {
 namespace {
@@ -49,25 +47,10 @@ Program program() {
   auto add = program.options.add_options();
   add("config", po::value<std::string>(), "file of lines 'key = value', # comments; options win over it");
   add("output", po::value<std::string>(), "the policy's file (default policy.bin); replaced at the end only");
-  add("checkpoint", po::value<std::string>(), "folder for the last two checkpoints");
-  add("resume", "go on from the newest checkpoint in the folder");
+  add_checkpoint_options(program.options);
   add("threads", po::value<std::string>(), "threads (default: one a processor); the results do not depend on it");
   add_train_options(program.options);
   return program;
-}
-
-/// Refuses before the work what could not be written after it.
-void require_writable(const fs::path& output) {
-  const auto folder = output.has_parent_path() ? output.parent_path() : fs::path(".");
-  const auto fail = [&](const std::string& why) {
-    throw EnvironmentError(fmt::format("--output {}: {}", excerpt(output.string(), 1000), why));
-  };
-  if (fs::is_directory(output)) fail("it is a directory; name a file in it");
-  if (!fs::is_directory(folder)) fail("there is no such folder; make it or name another");
-  if (!fs::exists(output) || fs::is_regular_file(output)) {
-    if (::access(folder.c_str(), W_OK | X_OK) != 0)
-      fail(fmt::format("cannot be written: {}; name another place", std::strerror(errno)));
-  }
 }
 
 /// All that the end of the run depends on, a line each.
@@ -97,25 +80,6 @@ sct::TrainingRecord record_of(const TrainConfig& config, const sct::TrainingSett
   record.seed = settings.seed;
   record.code_version = FOLK_VERSION;
   return record;
-}
-
-/// The folder of --checkpoint, or null; its checkpoints and --resume must go together.
-std::unique_ptr<sct::CheckpointFolder> checkpoint_folder(const po::variables_map& values, const Common& common) {
-  const bool resume = values.count("resume") != 0;
-  if (values.count("checkpoint") == 0) {
-    if (resume) throw UsageError("--resume needs the folder of the checkpoints: give --checkpoint DIR");
-    return nullptr;
-  }
-  auto folder = std::make_unique<sct::CheckpointFolder>(text_option(values, "checkpoint"));
-  const auto found = folder->checkpoints();
-  if (!found.empty() && !resume)
-    throw UsageError(
-        fmt::format("--checkpoint {}: it holds {} of an earlier run: give --resume to go on with it, or "
-                    "name another folder",
-                    excerpt(folder->path().string(), 1000), found.back().filename().string()));
-  if (found.empty() && resume && !common.quiet)
-    say(name, fmt::format("no checkpoint in {} yet: beginning with step 1", folder->path().string()));
-  return folder;
 }
 
 void resume(sct::TrainingRun& run, const sct::CheckpointFolder& folder, const Common& common) {
@@ -165,7 +129,7 @@ int sct_train(const po::variables_map& values, const Common& common) {
   const auto threads =
       static_cast<unsigned>(whole_option(values, "threads", std::max(1U, std::thread::hardware_concurrency()), 1, 256));
   const fs::path output = text_option(values, "output", "policy.bin");
-  require_writable(output);
+  require_writable(output, "--output");
   const auto roster = standard_names().roster(config.roster, config.payoffs);
   auto data = train_data(config, roster);
   const auto settings = training_settings(config, threads);
@@ -175,7 +139,7 @@ int sct_train(const po::variables_map& values, const Common& common) {
   TrainReport report;
   report.lessons = data.lessons.size();
   sct::TrainingRun run(run_plan, settings, std::move(data.lessons), roster, record_of(config, settings), data.teacher);
-  const auto folder = checkpoint_folder(values, common);
+  const auto folder = checkpoint_folder<sct::CheckpointFolder>(values, common, name);
   if (folder) resume(run, *folder, common);
   {
     const Interruption interruption;

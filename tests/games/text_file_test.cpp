@@ -7,6 +7,8 @@
 #include <fstream>
 #include <ostream>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "games/expect_error.h"
 
@@ -40,6 +42,20 @@ TEST_F(TextFile, WritesAndReadsBytes) {
   write_file(folder_ / "f", "");
   EXPECT_EQ(read_text_file(folder_ / "f"), "");
   EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(TextFile, TakesAwayWhatKilledWritersLeft) {
+  // No process has the largest number that a pid can hold; our own lives.
+  const std::string gone = "f.2147483647.0.tmp";
+  const std::string ours = "f." + std::to_string(::getpid()) + ".3.tmp";
+  const std::vector<std::string> others{
+      ours, "f", "g.2147483647.0.tmp", "f.2147483647.tmp", "f.x.0.tmp", "f.2147483647.0.tmp2"};
+  write_file(folder_ / gone, "half");
+  for (const auto& name : others) write_file(folder_ / name, "whole");
+  remove_cut_off_writes(folder_ / "f");
+  EXPECT_FALSE(fs::exists(folder_ / gone));
+  for (const auto& name : others) EXPECT_TRUE(fs::exists(folder_ / name)) << name;
+  EXPECT_NO_THROW(remove_cut_off_writes(folder_ / "no such folder" / "f"));
 }
 
 TEST_F(TextFile, ReadsMoreThanABlock) {

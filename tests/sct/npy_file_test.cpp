@@ -90,6 +90,16 @@ TEST(NpyFile, ReadsOtherSpellings) {
   EXPECT_EQ(parse(second).values, std::vector<double>{3});
 }
 
+TEST(NpyFile, ReadsWholeNumbersAsPython2WroteThem) {
+  const NpyArray array{{2, 3}, {1, 2, 3, 4, 5, 6}};
+  auto bytes = npy_bytes(array, NpyType::int8);
+  const auto place = bytes.find("(2, 3), }  ");
+  ASSERT_NE(place, std::string::npos);
+  bytes.replace(place, 11, "(2L, 3L), }");
+  EXPECT_EQ(parse(bytes).shape, array.shape);
+  EXPECT_EQ(parse(bytes).values, array.values);
+}
+
 TEST(NpyFile, RefusesWhatIsNoArray) {
   const std::string bytes = npy_bytes({{2}, {1, 2}}, NpyType::float64);
   for (std::size_t length = 0; length < bytes.size(); ++length) expect_refusal(bytes.substr(0, length), "");
@@ -162,6 +172,29 @@ TEST(NpyFile, IsAFile) {
   EXPECT_EQ(read_npy(file).values, (std::vector<double>{1, 2}));
   expect_error<InputFileError>([&] { read_npy(fs::path(folder) / "b.npy"); }, "b.npy: no such file");
   fs::remove_all(folder);
+}
+
+// For those who read the numbers themselves.
+TEST(NpyFile, ReadsTheHeaderAlone) {
+  const std::string bytes = npy_bytes({{2, 3}, {1, 2, 3, 4, 5, 6}}, NpyType::float32);
+  const NpyHeader header = parse_npy_header(bytes, "a.npy");
+  EXPECT_EQ(header.type, NpyType::float32);
+  EXPECT_EQ(header.shape, (std::vector<std::size_t>{2, 3}));
+  EXPECT_EQ(header.begin, bytes.size() - 6 * 4);
+  EXPECT_EQ(npy_header_bytes({2, 3}, NpyType::float32), bytes.substr(0, header.begin));
+  EXPECT_EQ(header.begin % 64, 0U);
+  EXPECT_EQ(parse_npy_header(bytes, "a.npy", 6).begin, header.begin);
+  expect_error<InputFileError>([&] { parse_npy_header(bytes, "a.npy", 5); }, "a.npy: more than 5 numbers");
+  expect_error<InputFileError>([&] { parse_npy_header(bytes.substr(0, bytes.size() - 1), "a.npy"); },
+                               "a.npy: 23 bytes of numbers, but shape (2, 3) of <f4 asks for 24");
+  // No count of bytes overflows, however large the sizes.
+  const auto no_limit = std::numeric_limits<std::size_t>::max();
+  for (const char* shape : {"(4611686018427387905, 4)", "(2305843009213693953, 8)"})
+    expect_error<InputFileError>(
+        [&] { parse_npy_header(npy(dictionary("<f8", shape), "12345678"), "a.npy", no_limit); },
+        "a.npy: more than 2305843009213693951 numbers");
+  EXPECT_EQ(npy_header_bytes(std::vector<std::size_t>(8, 1), NpyType::int8).size() % 64, 0U);
+  expect_error<UsageError>([] { npy_header_bytes(std::vector<std::size_t>(9, 1), NpyType::int8); }, "9 dimensions");
 }
 
 TEST(NpyFile, NamesAPlace) {
