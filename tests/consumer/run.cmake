@@ -1,6 +1,6 @@
 # cmake -DMODE=installed|tree -DFOLK_BUILD=DIR -DWORK=DIR -DGENERATOR= -DCOMPILER= -DFLAGS= -P run.cmake
-# installed: builds the consumer in WORK against an installed copy of FOLK_BUILD and runs it.
-# tree: compiles it in WORK with Folk's tree as a part of its build.
+# installed: builds the consumers in WORK against an installed copy of FOLK_BUILD and runs them.
+# tree: compiles them in WORK with Folk's tree as a part of its build.
 # FLAGS are those of FOLK_BUILD: what is built for a sanitizer links with nothing else.
 
 function(step)
@@ -18,7 +18,11 @@ else()
   list(APPEND options -DFOLK_TREE=${tree})
 endif()
 step(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build ${options})
-step(${CMAKE_COMMAND} --build ${WORK}/build --target consumer)
+step(${CMAKE_COMMAND} --build ${WORK}/build --target consumer particle_world)
 if(MODE STREQUAL "installed")
   step(${WORK}/build/consumer)
+  execute_process(COMMAND ${WORK}/build/particle_world OUTPUT_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
+  if(NOT said STREQUAL "mean return of a predator: 205.23\n")
+    message(FATAL_ERROR "particle_world said: ${said}")
+  endif()
 endif()

@@ -7,6 +7,8 @@ from pathlib import Path
 
 # Each library may use itself and those to its left.
 LIBRARIES = ["games", "strategies", "analysis", "sct", "mpe"]
+# The wings of a library: each may use itself and those of earlier lines, not its neighbours on the same line.
+WINGS = {"mpe": [["world"], ["network"], ["players"], ["evaluation"], ["online", "offline", "pictures"]]}
 # Folders that may include any library, but no other folder of this list except their own.
 LEAVES = ["tools", "tests", "bench", "examples"]
 NAMELESS = {"util", "utils", "utility", "utilities", "common", "core", "misc", "helpers"}
@@ -81,6 +83,23 @@ def check_includes(root):
                 yield f"{where}: {folder} includes {target}: the arrows run {' <- '.join(LIBRARIES)}"
 
 
+def check_wings(root):
+    for path, text in source_files(root):
+        wings = WINGS.get(path.parts[0])
+        if wings is None:
+            continue
+        floors = {wing: floor for floor, names in enumerate(wings) for wing in names}
+        if len(path.parts) < 3 or path.parts[1] not in floors:
+            yield f"{path}: {path.parts[0]} has the wings {' <- '.join('|'.join(names) for names in wings)}: put it into one"
+            continue
+        for number, line in numbered(without_comments(text)):
+            match = re.match(rf"\s*#\s*include\s*<folk/{path.parts[0]}/(\w+)/", line)
+            target = match.group(1) if match else path.parts[1]
+            if target != path.parts[1] and floors.get(target, len(wings)) >= floors[path.parts[1]]:
+                yield (f"{path}:{number}: {path.parts[1]} includes {target}: the arrows run "
+                       f"{' <- '.join('|'.join(names) for names in wings)}")
+
+
 def linked_folders(cmake_text):
     """The libraries of Folk that a folder's CMakeLists.txt names after its folk_library(NAME."""
     call = re.search(r"folk_library\(\s*(\w+)([^)]*)\)", re.sub(r"#[^\n]*", "", cmake_text))
@@ -137,7 +156,7 @@ def check_library_code(root):
                     yield f"{path}:{number}: library code {deed}: {match.group(0).strip()}"
 
 
-CHECKS = [check_includes, check_links, check_folders, check_headers, check_library_code]
+CHECKS = [check_includes, check_wings, check_links, check_folders, check_headers, check_library_code]
 
 
 def violations(root):

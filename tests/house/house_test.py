@@ -17,6 +17,12 @@ IN_ORDER = {
     "strategies/player.cpp": "#include <folk/strategies/player.h>\nint f() { return 0; }  // never calls exit()\n",
     "analysis/CMakeLists.txt": "folk_library(analysis DEPENDS folk::strategies PRIVATE_DEPENDS Eigen3::Eigen)",
     "analysis/tournament.h": HEADER + "#include <folk/games/move.h>\n#include <folk/strategies/player.h>\n",
+    "sct/CMakeLists.txt": "folk_library(sct DEPENDS folk::analysis)",
+    "mpe/CMakeLists.txt": "folk_library(mpe DEPENDS folk::sct)",
+    "mpe/world/batch.h": HEADER,
+    "mpe/players/player.h": HEADER + "#include <folk/mpe/world/batch.h>\n",
+    "mpe/online/learner.h": HEADER + "#include <folk/mpe/players/player.h>\n",
+    "mpe/offline/data_set.h": HEADER,
     "tools/program.h": HEADER + "#include <folk/analysis/tournament.h>\n",
     "tools/main.cpp": '#include <folk/analysis/tournament.h>\n#include "program.h"\nint main() { std::cout << 1; }\n',
     "build/games/core/wrong.h": "#include <folk/tools/program.h>\n",
@@ -45,6 +51,16 @@ class HouseTest(unittest.TestCase):
         found = found_with({"games/wrong.cpp": "#include <folk/strategies/player.h>\n"})
         self.assertIn("games/wrong.cpp:1: games includes strategies: the arrows run", found[0])
         self.assertIn("does not link", found[1])
+
+    def test_an_include_against_the_arrows_between_wings(self):
+        self.assert_one({"mpe/world/wrong.cpp": "#include <folk/mpe/players/player.h>\n"},
+                        "mpe/world/wrong.cpp:1: world includes players: the arrows run world <- network")
+        self.assert_one({"mpe/online/wrong.cpp": "\n#include <folk/mpe/offline/data_set.h>\n"},
+                        "mpe/online/wrong.cpp:2: online includes offline")
+
+    def test_a_file_outside_the_wings(self):
+        self.assert_one({"mpe/wrong.cpp": ""}, "mpe/wrong.cpp: mpe has the wings")
+        self.assert_one({"mpe/misplaced/wrong.cpp": ""}, "mpe/misplaced/wrong.cpp: mpe has the wings")
 
     def test_a_library_that_includes_a_tool(self):
         self.assert_one({"analysis/wrong.cpp": "\n#include <folk/tools/program.h>\n"},

@@ -1,0 +1,52 @@
+#include <folk/analysis/gnuplot_script.h>
+#include <folk/analysis/render.h>
+#include <folk/games/error.h>
+#include <folk/games/text_file.h>
+#include <folk/mpe/pictures/draw_episode.h>
+#include <folk/mpe/pictures/episode_animation.h>
+#include <folk/mpe/pictures/filmstrip.h>
+#include <folk/mpe/pictures/gnuplot_shapes.h>
+
+#include <fmt/format.h>
+
+namespace folk::mpe {
+namespace {
+
+namespace fs = std::filesystem;
+
+PictureFormat episode_format(const fs::path& path) {
+  if (path.extension() == ".svg") return PictureFormat::svg;
+  if (path.extension() == ".png") return PictureFormat::png;
+  throw UsageError(fmt::format("{}: a picture of an episode ends in .svg (animated) or .png (a filmstrip)",
+                               excerpt(path.string(), 200)));
+}
+
+/// Thrown to give up a file that was only tried.
+struct GivenUp {};
+
+/// Whether a file could be made there: a missing or locked folder shows.
+void require_writable(const fs::path& path) {
+  try {
+    draw_file(path, [](const fs::path&) { throw GivenUp(); });
+  } catch (const GivenUp&) {
+  }
+}
+
+}  // namespace
+
+void require_drawable(const fs::path& path) {
+  if (episode_format(path) == PictureFormat::png) {
+    gnuplot::require_gnuplot();
+    gnuplot::path_literal(path);  // refuses what a script cannot hold
+  }
+  require_writable(path);
+}
+
+void draw_episode(const EpisodeRecord& record, const fs::path& path) {
+  if (episode_format(path) == PictureFormat::svg) return write_file(path, animated_svg(record));
+  const Picture picture = draw_filmstrip(record);
+  gnuplot::draw_script(
+      path, [&](PictureFormat format, const fs::path& output) { return gnuplot_script(picture, format, output); });
+}
+
+}  // namespace folk::mpe
