@@ -21,7 +21,7 @@ namespace folk::mpe {
 
 /// The controller of a name. Case, '_' and '-' do not matter in names; they do in paths and commands. `data`: the
 /// folder of the shipped policies. Throws UsageError for a name that makes no sense for this side, with the nearest
-/// ones, and for a policy of another scenario or side; InputFileError for a file that cannot be read.
+/// ones, and InputFileError for a file that cannot be read or is of another scenario or side.
 Controller controller(std::string_view spec, Side side, const Scenario& scenario, const std::filesystem::path& data);
 
 /// A comma list of names taken apart; commas inside () or quotes do not split. Throws UsageError on an empty one.

@@ -103,13 +103,14 @@ void Batch::set_positions(std::size_t episode, std::span<const Point> positions)
 
 /// Observations of the register that an episode stands in; those of its neighbours come out as they are.
 void Batch::observe_episode(std::size_t episode) {
-  const auto [block, lane] = place(episode);
-  const std::size_t first = lane / vector_lanes * vector_lanes;
+  const Place here = place(episode);
+  const Block& block = here.block;
+  const std::size_t first = here.lane / vector_lanes * vector_lanes;
   std::array<double, vector_lanes * most_entities> rewards;
   const auto each_reward = [&](auto with) {
     for (std::size_t row = 0; row < layout_.reward_rows(); ++row)
       for (std::size_t k = 0; k < vector_lanes; ++k)
-        with(block.rewards[row * block_lanes + first + k], rewards[row * vector_lanes + k], first + k == lane);
+        with(block.rewards[row * block_lanes + first + k], rewards[row * vector_lanes + k], first + k == here.lane);
   };
   each_reward([](double& now, double& kept, bool) { kept = now; });
   observe(layout_, {block.state + first, block.actions + first, block.observations + first, block.rewards + first,

@@ -9,7 +9,7 @@ import unittest
 from pathlib import Path
 
 BIN = Path(os.environ["FOLK_BIN"])
-PROGRAMS = ("ipd-tournament", "ipd-match", "ipd-strategies", "strategy-graph", "sct-train")
+PROGRAMS = ("ipd-tournament", "ipd-match", "ipd-strategies", "strategy-graph", "sct-train", "mpe-evaluate")
 
 # What each program needs to run at all, so that one wrong thing more is the only wrong thing.
 ENOUGH = {
@@ -19,6 +19,7 @@ ENOUGH = {
     "strategy-graph": ("pavlov", "-o", "/dev/null"),
     "sct-train": ("--hidden", "8", "--layers", "1", "--steps", "1", "--roster", "all_c,all_d", "--rounds", "5",
                   "--output", "/dev/null", "--quiet"),
+    "mpe-evaluate": ("--predators", "still", "--episodes", "1"),
 }
 
 

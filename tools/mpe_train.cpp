@@ -1,0 +1,49 @@
+// mpe-train: trains players of the particle world and makes their data, a program for each.
+
+#include "mpe_collect.h"
+#include "mpe_curve.h"
+#include "mpe_inspect.h"
+#include "mpe_online.h"
+#include "program.h"
+
+#include <fmt/format.h>
+#include <folk/games/error.h>
+
+#include <string>
+#include <string_view>
+
+namespace folk::tools {
+namespace {
+
+Program program() {
+  Program program;
+  program.name = "mpe-train";
+  program.usage = "online|curve|collect|inspect [options]";
+  program.summary =
+      "Players of the particle world (simple_tag, simple_world):\n"
+      "  online   trains predators, or all agents, by MATD3 or MADDPG\n"
+      "  curve    draws how training runs went\n"
+      "  collect  plays episodes and stores them as an offline data set\n"
+      "  inspect  checks a data set and says what is in it\n"
+      "Each has its own --help.";
+  program.examples = {"mpe-train online --scenario simple_tag --seed 1 --output predators.safetensors",
+                      "mpe-train curve run-1.csv run-2.csv --output runs.svg",
+                      "mpe-train collect --scenario simple_tag --level expert --output expert-data",
+                      "mpe-train inspect expert-data"};
+  return program;
+}
+
+}  // namespace
+}  // namespace folk::tools
+
+int main(int argc, char** argv) {
+  using namespace folk::tools;
+  const std::string_view verb = argc > 1 ? argv[1] : "";
+  if (verb == "online") return mpe_online(argc - 1, argv + 1);
+  if (verb == "curve") return mpe_curve(argc - 1, argv + 1);
+  if (verb == "collect") return mpe_collect(argc - 1, argv + 1);
+  if (verb == "inspect") return mpe_inspect(argc - 1, argv + 1);
+  return run(argc, argv, program(), {}, [](const po::variables_map&, const Common&) -> int {
+    throw folk::UsageError("what to do? give online, curve, collect or inspect; see mpe-train --help");
+  });
+}
