@@ -2,6 +2,7 @@
 #include <folk/games/text_file.h>
 #include <folk/sct/little_endian.h>
 #include <folk/sct/npy_file.h>
+#include <folk/sct/npy_number.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,7 +16,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <type_traits>
 #include <utility>
 
 namespace folk::sct {
@@ -36,25 +36,6 @@ constexpr std::array all_types = {NpyType::float32, NpyType::float64, NpyType::i
 [[noreturn]] void refuse(const std::string& source, const std::string& why) {
   throw InputFileError(fmt::format("{}: {}", excerpt(source, 1000), why));
 }
-
-/// Calls `with` with a zero of the type's own C++ type; truth values are bytes.
-template <class With>
-void with_type(NpyType type, With with) {
-  switch (type) {
-    case NpyType::float32: return with(float{});
-    case NpyType::float64: return with(double{});
-    case NpyType::int32: return with(std::int32_t{});
-    case NpyType::int64: return with(std::int64_t{});
-    case NpyType::int8: return with(std::int8_t{});
-    case NpyType::uint8:
-    case NpyType::boolean: return with(std::uint8_t{});
-  }
-}
-
-/// The unsigned word with the bits of a number.
-template <class Number>
-using WordOf = std::conditional_t<sizeof(Number) == 8, std::uint64_t,
-                                  std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint8_t>>;
 
 /// What the header's dictionary says.
 struct Dictionary {

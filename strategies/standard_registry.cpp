@@ -13,6 +13,7 @@
 #include <folk/strategies/memory_machine.h>
 #include <folk/strategies/memory_one.h>
 #include <folk/strategies/periodic_machine.h>
+#include <folk/strategies/quoted_text.h>
 #include <folk/strategies/registry.h>
 
 #include <array>
@@ -55,17 +56,6 @@ std::vector<std::string> arguments_of(std::string_view text) {
     }
   }
   return arguments;
-}
-
-/// What stands between double quotes, \" and \\ read as " and \; a text without quotes as it is.
-std::string unquoted(std::string_view text) {
-  if (text.size() < 2 || text.front() != '"' || text.back() != '"') return std::string(text);
-  std::string inside;
-  for (std::size_t i = 1; i + 1 < text.size(); ++i) {
-    if (text[i] == '\\' && i + 2 < text.size() && (text[i + 1] == '"' || text[i + 1] == '\\')) ++i;
-    inside += text[i];
-  }
-  return inside;
 }
 
 std::vector<double> probabilities(const std::vector<std::string>& arguments, std::size_t from, std::string_view what) {

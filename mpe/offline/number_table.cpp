@@ -1,6 +1,7 @@
 #include <folk/games/error.h>
 #include <folk/mpe/offline/number_table.h>
 #include <folk/sct/little_endian.h>
+#include <folk/sct/npy_number.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,35 +11,16 @@
 #include <concepts>
 #include <cstdint>
 #include <limits>
-#include <type_traits>
 
 namespace folk::mpe {
 namespace {
 
 using sct::NpyType;
-
-template <class Number>
-using WordOf = std::conditional_t<sizeof(Number) == 8, std::uint64_t,
-                                  std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint8_t>>;
+using sct::with_type;
 
 template <class Number>
 Number number_at(const char* bytes) {
-  return std::bit_cast<Number>(sct::load_little_endian<WordOf<Number>>({bytes, sizeof(Number)}));
-}
-
-/// Calls `with(zero)` with a zero of the type's own C++ type and returns what it returns; truth values are bytes.
-template <class With>
-auto with_type(NpyType type, With with) {
-  switch (type) {
-    case NpyType::float32: return with(float{});
-    case NpyType::float64: return with(double{});
-    case NpyType::int32: return with(std::int32_t{});
-    case NpyType::int64: return with(std::int64_t{});
-    case NpyType::int8: return with(std::int8_t{});
-    case NpyType::uint8:
-    case NpyType::boolean: break;
-  }
-  return with(std::uint8_t{});
+  return std::bit_cast<Number>(sct::load_little_endian<sct::WordOf<Number>>({bytes, sizeof(Number)}));
 }
 
 /// Whether a float is near it; of no use is what rounds to infinity.

@@ -4,6 +4,7 @@
 #include <folk/mpe/world/random_stream.h>
 #include <folk/strategies/child_process.h>
 #include <folk/strategies/exec_player.h>
+#include <folk/strategies/quoted_text.h>
 
 #include <fmt/format.h>
 
@@ -77,17 +78,6 @@ private:
   std::unique_ptr<ChildProcess> child_;
   std::string unsent_;
 };
-
-/// What stands between double quotes, \" and \\ read as " and \; a text without quotes as it is.
-std::string unquoted(std::string_view text) {
-  if (text.size() < 2 || text.front() != '"' || text.back() != '"') return std::string(text);
-  std::string inside;
-  for (std::size_t i = 1; i + 1 < text.size(); ++i) {
-    if (text[i] == '\\' && i + 2 < text.size() && (text[i + 1] == '"' || text[i + 1] == '\\')) ++i;
-    inside += text[i];
-  }
-  return inside;
-}
 
 }  // namespace
 
