@@ -83,13 +83,14 @@ template <class S>
 void block_forward(const BlockTensors& tensors, const S* parameters, const AttentionShape& shape, Matrix<S>& x,
                    BlockTape<S>& tape, BlockScratch<S>& scratch) {
   const auto& rows = shape.rows;
+  auto& room = scratch.room(rows);
   const Index h = x.cols();
   layer_norm(x, parameters + tensors.norm_1_gain.offset, parameters + tensors.norm_1_bias.offset, tape.norm_1,
              tape.normal_1);
   if (!rows.all) {
     gather(tape.normal_1, rows.row, tape.normal_1_read);
-    gather(x, rows.row, scratch.a);
-    x.swap(scratch.a);
+    gather(x, rows.row, room.x);
+    x.swap(room.x);
   }
   const auto weights = as_matrix(parameters, tensors.attention);
   const auto bias = as_row(parameters, tensors.attention_bias);
@@ -101,7 +102,7 @@ void block_forward(const BlockTensors& tensors, const S* parameters, const Atten
   tape.kv.rowwise() += bias.tail(2 * h);
   attend(shape, tape.q, tape.kv, tape.attention, tape.context);
 
-  auto& out = scratch.b;
+  auto& out = room.read;
   out.resize(rows.queries(), h);
   set_product(out, operand(tape.context), operand(as_matrix(parameters, tensors.projection)));
   keep_rows(shape, projection_site, h, tape.keep_projection);
@@ -121,11 +122,12 @@ template <class S>
 void block_backward(const BlockTensors& tensors, const S* parameters, const AttentionShape& shape,
                     const BlockTape<S>& tape, Matrix<S>& dx, S* gradient, BlockScratch<S>& scratch) {
   const auto& rows = shape.rows;
+  auto& room = scratch.room(rows);
   const Index h = dx.cols();
 
-  auto& d_out = scratch.a;
-  auto& d_inner = scratch.b;
-  auto& d_normal = scratch.c;
+  auto& d_out = room.d_out;
+  auto& d_inner = room.d_inner;
+  auto& d_read = room.read;
   drop_gradient(dx, shape.dropout, tape.keep_outer, d_out);
   add_product(as_matrix(gradient, tensors.outer), transposed(tape.inner), operand(d_out));
   add_rows(as_row(gradient, tensors.outer_bias), d_out);
@@ -134,18 +136,18 @@ void block_backward(const BlockTensors& tensors, const S* parameters, const Atte
   d_inner = (tape.inner.array() > S(0)).select(d_inner, S(0));
   add_product(as_matrix(gradient, tensors.inner), transposed(tape.normal_2), operand(d_inner));
   add_rows(as_row(gradient, tensors.inner_bias), d_inner);
-  d_normal.resize(rows.queries(), h);
-  set_product(d_normal, operand(d_inner), transposed(as_matrix(parameters, tensors.inner)));
-  layer_norm_backward(d_normal, parameters + tensors.norm_2_gain.offset, tape.norm_2,
+  d_read.resize(rows.queries(), h);
+  set_product(d_read, operand(d_inner), transposed(as_matrix(parameters, tensors.inner)));
+  layer_norm_backward(d_read, parameters + tensors.norm_2_gain.offset, tape.norm_2,
                       gradient + tensors.norm_2_gain.offset, gradient + tensors.norm_2_bias.offset, dx);
 
   drop_gradient(dx, shape.dropout, tape.keep_projection, d_out);
   add_product(as_matrix(gradient, tensors.projection), transposed(tape.context), operand(d_out));
   add_rows(as_row(gradient, tensors.projection_bias), d_out);
-  set_product(d_normal, operand(d_out), transposed(as_matrix(parameters, tensors.projection)));
-  auto& dq = scratch.a;
-  auto& d_kv = scratch.d;
-  attend_backward(shape, tape.q, tape.kv, tape.attention, d_normal, dq, d_kv);
+  set_product(d_read, operand(d_out), transposed(as_matrix(parameters, tensors.projection)));
+  auto& dq = room.d_out;
+  auto& d_kv = room.d_kv;
+  attend_backward(shape, tape.q, tape.kv, tape.attention, d_read, dq, d_kv);
 
   const auto weights = as_matrix(parameters, tensors.attention);
   auto d_weights = as_matrix(gradient, tensors.attention);
@@ -154,20 +156,19 @@ void block_backward(const BlockTensors& tensors, const S* parameters, const Atte
   add_rows(d_bias.head(h), dq);
   add_product(d_weights.rightCols(2 * h), transposed(tape.normal_1), operand(d_kv));
   add_rows(d_bias.tail(2 * h), d_kv);
+  auto& d_normal = room.d_normal;
   d_normal.resize(rows.tokens(), h);
   set_product(d_normal, operand(d_kv), transposed(weights.rightCols(2 * h)));
   if (rows.all) {
     add_product(d_normal, operand(dq), transposed(weights.leftCols(h)));
   } else {
-    auto& d_read = scratch.b;
-    d_read.resize(rows.queries(), h);
     set_product(d_read, operand(dq), transposed(weights.leftCols(h)));
-    scratch.d.setZero(rows.tokens(), h);
+    room.x.setZero(rows.tokens(), h);
     for (std::size_t i = 0; i < rows.row.size(); ++i) {
       d_normal.row(rows.row[i]) += d_read.row(index(i));
-      scratch.d.row(rows.row[i]) = dx.row(index(i));
+      room.x.row(rows.row[i]) = dx.row(index(i));
     }
-    dx.swap(scratch.d);
+    dx.swap(room.x);
   }
   layer_norm_backward(d_normal, parameters + tensors.norm_1_gain.offset, tape.norm_1,
                       gradient + tensors.norm_1_gain.offset, gradient + tensors.norm_1_bias.offset, dx);

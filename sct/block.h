@@ -4,6 +4,7 @@
 #include <folk/sct/attention.h>
 #include <folk/sct/layer_norm.h>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -34,10 +35,21 @@ struct BlockTape {
   std::vector<std::uint8_t> keep_outer;
 };
 
-/// Room for the intermediate results of one chunk, reused from block to block.
+/// Room for the intermediate results of one chunk, reused from block to block: one for blocks where every token is a
+/// query and one for others, so that no matrix changes its size, which costs fresh pages of memory each time.
 template <class S>
 struct BlockScratch {
-  Matrix<S> a, b, c, d;
+  struct Room {
+    Matrix<S> read;      ///< [queries, h]
+    Matrix<S> d_out;     ///< [queries, h]
+    Matrix<S> d_inner;   ///< [queries, 4h]
+    Matrix<S> d_kv;      ///< [tokens, 2h]
+    Matrix<S> d_normal;  ///< [tokens, h]
+    Matrix<S> x;         ///< [queries, h] before the forward pass, then [tokens, h]
+  };
+  std::array<Room, 2> rooms;
+
+  Room& room(const TokenRows& rows) { return rooms[rows.all ? 0 : 1]; }
 };
 
 /// x [tokens, h] becomes [queries, h].

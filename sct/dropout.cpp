@@ -17,6 +17,7 @@ using Words = std::array<std::uint32_t, lanes>;
 /// compiler finds vector instructions for it. Word w of lane l is words[w][l].
 void philox(std::array<Words, 4>& words, std::uint32_t key_0, std::uint32_t key_1) {
   for (int round = 0; round < 10; ++round) {
+#pragma GCC unroll 1  // unrolled before its time, the loop finds no vector instructions
     for (std::size_t l = 0; l < lanes; ++l) {
       const std::uint64_t a = std::uint64_t{0xD2511F53} * words[0][l];
       const std::uint64_t b = std::uint64_t{0xCD9E8D57} * words[2][l];

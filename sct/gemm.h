@@ -6,7 +6,8 @@
 
 namespace folk::sct {
 
-/// A matrix anywhere in memory: element (r, c) stands at data[r * row_stride + c * column_stride].
+/// A row-major matrix or the transpose of one, anywhere in memory: element (r, c) stands at data[r * row_stride + c *
+/// column_stride], and one of the strides is 1.
 template <class S>
 struct Operand {
   const S* data;

@@ -16,6 +16,20 @@ auto by_round(M& hidden, std::size_t read) {
   return Eigen::Map<Plain>(hidden.data(), hidden.rows() / index(read), hidden.cols() * index(read));
 }
 
+/// tanh of every number, each as a part of a whole vector: at the ends of a matrix Eigen computes in another way, and a
+/// player's action must not depend on who stands beside it.
+template <class S>
+void hyperbolic_tangents(Matrix<S>& out) {
+  constexpr Index lanes = 16;
+  Eigen::Array<S, lanes, 1> piece = Eigen::Array<S, lanes, 1>::Zero();
+  for (Index i = 0; i < out.size(); i += lanes) {
+    const Index some = std::min(lanes, out.size() - i);
+    std::copy_n(out.data() + i, some, piece.data());
+    piece = piece.tanh();
+    std::copy_n(piece.data(), some, out.data() + i);
+  }
+}
+
 }  // namespace
 
 std::vector<std::size_t> read_tokens(const Architecture& architecture, bool belief, bool action) {
@@ -51,7 +65,7 @@ Index Heads<S>::column(std::size_t token) const {
 
 template <class S>
 void Heads<S>::squash(Matrix<S>& out) const {
-  if (!architecture_.discrete) out = out.array().tanh();
+  if (!architecture_.discrete) hyperbolic_tangents(out);
 }
 
 /// The gradient before the tanh.

@@ -13,13 +13,15 @@ void layer_norm(const Matrix<S>& x, const S* gain, const S* bias, LayerNormTape<
   y.resize(rows, h);
   const Eigen::Map<const RowVector<S>> g(gain, h);
   const Eigen::Map<const RowVector<S>> b(bias, h);
+  RowVector<S> row(h);  // aligned: the last bits of Eigen's sums depend on where in memory they begin
   for (Index r = 0; r < rows; ++r) {
-    auto normal = tape.normal.row(r);
-    normal = x.row(r).array() - x.row(r).mean();
-    const S inverse = S(1) / std::sqrt(normal.squaredNorm() / static_cast<S>(h) + S(1e-5));
+    row = x.row(r);
+    row.array() -= row.mean();
+    const S inverse = S(1) / std::sqrt(row.squaredNorm() / static_cast<S>(h) + S(1e-5));
     tape.inverse[static_cast<std::size_t>(r)] = inverse;
-    normal *= inverse;
-    y.row(r) = normal.cwiseProduct(g) + b;
+    row *= inverse;
+    tape.normal.row(r) = row;
+    y.row(r) = row.cwiseProduct(g) + b;
   }
 }
 

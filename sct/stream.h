@@ -1,5 +1,6 @@
 #pragma once
-// A window that grows token by token: the network's hidden states at play, keys and values of past tokens kept.
+// Windows that grow token by token, side by side: the network's hidden states at play, keys and values of past tokens
+// kept.
 
 #include <folk/sct/network.h>
 
@@ -7,28 +8,34 @@
 
 namespace folk::sct {
 
-/// The tokens of one window. What append() says of a token is what training would have computed for it at that place.
+/// The tokens of one window or of several of the same length. What append() says of a token is what training would have
+/// computed for it at that place; it does not depend on the windows beside it.
 class Stream {
 public:
-  /// `network` and `parameters` must outlive this.
-  Stream(const Network<float>& network, const float* parameters);
+  /// `network` and `parameters` must outlive this. There is room for the tokens of `rounds` rounds, of `context` when
+  /// 0.
+  Stream(const Network<float>& network, const float* parameters, std::size_t windows = 1, std::size_t rounds = 0);
 
-  std::size_t tokens() const { return tokens_; }
+  std::size_t windows() const { return windows_; }
+  std::size_t tokens() const { return tokens_; }  ///< of each window
 
   /// Forgets all tokens but the first `tokens`.
   void keep(std::size_t tokens) { tokens_ = std::min(tokens_, tokens); }
 
-  /// Adds embedded tokens [n, h]; returns the final hidden state of the last one [1, h].
-  const Matrix<float>& append(const Matrix<float>& embedded);
+  /// Adds embedded tokens [windows * n, h], window after window; returns the final hidden states of the last `asked` of
+  /// each [windows * asked, h].
+  const Matrix<float>& append(const Matrix<float>& embedded, std::size_t asked = 1);
 
 private:
   const Network<float>& network_;
   const float* parameters_;
+  std::size_t windows_;
   std::size_t tokens_ = 0;
-  std::vector<Matrix<float>> keys_and_values_;  // [tokens, 2h] a layer
+  Index capacity_;                              // tokens of a window
+  std::vector<Matrix<float>> keys_and_values_;  // [windows * capacity, 2h] a layer
   LayerNormTape<float> norm_;
   AttentionTape<float> attention_;
-  Matrix<float> x_, normal_, q_, context_, out_, inner_, hidden_;
+  Matrix<float> x_, normal_, kv_, q_, context_, inner_, hidden_;
 };
 
 }  // namespace folk::sct

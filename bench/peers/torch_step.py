@@ -1,12 +1,13 @@
-"""One training step of the self-confirming transformer at the paper's setting in the iterated prisoner's dilemma, in
-PyTorch on the CPU: what `folk-bench --benchmark_filter=sct_training_step` is compared with.
+"""One training step of the self-confirming transformer at the paper's settings, in PyTorch on the CPU: in the iterated
+prisoner's dilemma (ipd) what `folk-bench --benchmark_filter=sct_training_step` is compared with, in the particle world
+(mpe; three predators, continuous actions) `--benchmark_filter=sct_predators_step`.
 
 Debian 12: apt-get install python3-torch libopenblas0-pthread, then
-    OPENBLAS_CORETYPE=SkylakeX /usr/bin/python3 bench/peers/torch_step.py [--steps N]
+    OPENBLAS_CORETYPE=SkylakeX /usr/bin/python3 bench/peers/torch_step.py [--setting mpe] [--steps N]
 (OpenBLAS of Debian 12 does not know the newest processors and falls back on slow kernels unless it is told a core type;
 SkylakeX stands for AVX-512, Haswell for AVX2.) Prints, for each number of threads of PyTorch and of OpenBLAS, the best
-seconds a step and the rate, a step being counted as 20.0 GFLOP. Both kinds of threads wait actively: measure on a
-machine that does nothing else.
+seconds a step and the rate, a step being counted as 20.0 GFLOP (ipd) or 44.6 (mpe). Both kinds of threads wait
+actively: measure on a machine that does nothing else.
 """
 
 import argparse
@@ -21,10 +22,7 @@ from torch import nn
 from torch.nn import functional
 
 WINDOWS, CONTEXT, HIDDEN, LAYERS = 64, 20, 128, 3
-OBSERVATIONS, ACTIONS, MATCH = 5, 2, 100
-ROUND = 4  # tokens: return, observation, belief, action
 DROPOUT, RATE, DECAY, CLIP = 0.1, 1e-4, 1e-4, 0.25
-NOMINAL_GFLOP = 20.0
 
 
 class Block(nn.Module):
@@ -52,94 +50,151 @@ class Block(nn.Module):
 
 
 class Transformer(nn.Module):
-    """Beliefs are read at the observation, actions at the belief token."""
+    """The tokens of a round: return, observations, belief, actions. Beliefs are read at the observations."""
+
+    match, observations, agents = 0, 0, 0  # rounds, numbers of one observation, agents with an action token each
 
     def __init__(self):
         super().__init__()
-        self.time = nn.Embedding(MATCH, HIDDEN)
-        self.returns, self.observation = nn.Linear(1, HIDDEN), nn.Linear(OBSERVATIONS, HIDDEN)
-        self.opponent, self.own = nn.Embedding(ACTIONS + 1, HIDDEN), nn.Embedding(ACTIONS + 1, HIDDEN)
+        self.round = 2 + 2 * self.agents
+        self.time = nn.Embedding(self.match, HIDDEN)
+        self.returns, self.observation = nn.Linear(1, HIDDEN), nn.Linear(self.observations, HIDDEN)
         self.norm_in, self.norm_out = nn.LayerNorm(HIDDEN), nn.LayerNorm(HIDDEN)
         self.blocks = nn.ModuleList(Block() for _ in range(LAYERS))
-        self.belief, self.action = nn.Linear(HIDDEN, ACTIONS), nn.Linear(HIDDEN, ACTIONS)
-        later = torch.ones(CONTEXT * ROUND, CONTEXT * ROUND, dtype=torch.bool).triu(1)
+        later = torch.ones(CONTEXT * self.round, CONTEXT * self.round, dtype=torch.bool).triu(1)
         self.register_buffer("later", later)
 
     def forward(self, returns, observations, opponent, own, times):
-        tokens = [self.returns(returns), self.observation(observations), self.opponent(opponent), self.own(own)]
-        x = torch.stack(tokens, dim=2) + self.time(times).unsqueeze(2)
-        x = self.norm_in(x.reshape(len(returns), CONTEXT * ROUND, HIDDEN))
+        x = self.tokens(returns, observations, opponent, own) + self.time(times).unsqueeze(2)
+        x = self.norm_in(x.reshape(len(returns), CONTEXT * self.round, HIDDEN))
         x = functional.dropout(x, DROPOUT, self.training)
         for block in self.blocks:
             x = block(x, self.later)
-        x = self.norm_out(x).reshape(len(returns), CONTEXT, ROUND, HIDDEN)
+        return self.heads(self.norm_out(x).reshape(len(returns), CONTEXT, self.round, HIDDEN))
+
+
+class Ipd(Transformer):
+    """The action is read at the belief token."""
+
+    match, observations, agents, actions = 100, 5, 1, 2
+
+    def __init__(self):
+        super().__init__()
+        self.opponent, self.own = (nn.Embedding(self.actions + 1, HIDDEN) for _ in range(2))
+        self.belief, self.action = (nn.Linear(HIDDEN, self.actions) for _ in range(2))
+
+    def tokens(self, returns, observations, opponent, own):
+        tokens = [self.returns(returns), self.observation(observations), self.opponent(opponent), self.own(own)]
+        return torch.stack(tokens, dim=2)
+
+    def heads(self, x):
         return self.belief(x[:, :, 1]), self.action(x[:, :, 2])
 
+    @staticmethod
+    def loss(said, played):
+        return functional.cross_entropy(said.flatten(0, 1), played.flatten())
 
-def batch():
-    starts = torch.randint(0, MATCH - CONTEXT + 1, (WINDOWS, 1))
-    shape = (WINDOWS, CONTEXT)
-    return (
-        torch.rand(*shape, 1) * 3,
-        functional.one_hot(torch.randint(0, OBSERVATIONS, shape), OBSERVATIONS).float(),
-        torch.randint(0, ACTIONS, shape),
-        torch.randint(0, ACTIONS, shape),
-        starts + torch.arange(CONTEXT),
-    )
+    def played(self, agents):
+        return torch.randint(0, self.actions, (WINDOWS, CONTEXT))
+
+    def observed(self):
+        seen = torch.randint(0, self.observations, (WINDOWS, CONTEXT))
+        return functional.one_hot(seen, self.observations).float()
+
+
+class Mpe(Transformer):
+    """Each action is read at the agent's observation and the belief token."""
+
+    match, observations, agents, actions = 26, 16, 3, 2
+
+    def __init__(self):
+        super().__init__()
+        self.opponent, self.own = (nn.Linear(self.actions, HIDDEN) for _ in range(2))
+        self.belief, self.mix = nn.Linear(self.agents * HIDDEN, self.actions), nn.Linear(2 * HIDDEN, HIDDEN)
+        self.action = nn.ModuleList(nn.Linear(HIDDEN, self.actions) for _ in range(self.agents))
+
+    def tokens(self, returns, observations, opponent, own):
+        alone = [self.returns(returns).unsqueeze(2), self.opponent(opponent)]
+        return torch.cat([alone[0], self.observation(observations), alone[1], self.own(own)], dim=2)
+
+    def heads(self, x):
+        seen, belief_token = x[:, :, 1 : 1 + self.agents], x[:, :, 1 + self.agents]
+        belief = torch.tanh(self.belief(seen.flatten(2))).unsqueeze(2)
+        mixed = self.mix(torch.cat([seen, belief_token.unsqueeze(2).expand_as(seen)], dim=3))
+        actions = [torch.tanh(head(mixed[:, :, agent])) for agent, head in enumerate(self.action)]
+        return belief, torch.stack(actions, dim=2)
+
+    loss = staticmethod(functional.mse_loss)
+
+    def played(self, agents):
+        return torch.rand(WINDOWS, CONTEXT, agents, self.actions) * 2 - 1
+
+    def observed(self):
+        return torch.rand(WINDOWS, CONTEXT, self.agents, self.observations) * 2 - 1
+
+
+SETTINGS = {"ipd": (Ipd, 20.0), "mpe": (Mpe, 44.6)}  # and what a step is counted as, in GFLOP
+
+
+def batch(model):
+    starts = torch.randint(0, model.match - CONTEXT + 1, (WINDOWS, 1))
+    returns = torch.rand(WINDOWS, CONTEXT, 1) * 3
+    return returns, model.observed(), model.played(1), model.played(model.agents), starts + torch.arange(CONTEXT)
 
 
 def step(model, optimiser, inputs):
     belief, action = model(*inputs)
     opponent, own = inputs[2], inputs[3]
-    loss = functional.cross_entropy(belief.flatten(0, 1), opponent.flatten())
-    loss = loss + functional.cross_entropy(action.flatten(0, 1), own.flatten())
+    loss = model.loss(belief, opponent) + model.loss(action, own)
     optimiser.zero_grad(set_to_none=True)
     loss.backward()
     nn.utils.clip_grad_norm_(model.parameters(), CLIP)
     optimiser.step()
 
 
-def best_seconds(steps):
+def best_seconds(setting, steps):
     torch.manual_seed(1)
-    model = Transformer().train()
+    model = SETTINGS[setting][0]().train()
     optimiser = torch.optim.AdamW(model.parameters(), lr=RATE, weight_decay=DECAY)
     best = float("inf")
     for _ in range(steps):
-        inputs = batch()
+        inputs = batch(model)
         start = time.perf_counter()
         step(model, optimiser, inputs)
         best = min(best, time.perf_counter() - start)
     return best
 
 
-def measure(torch_threads, blas_threads, steps):
+def measure(setting, threads, steps):
     """In a process of its own: OpenBLAS reads its number of threads when it is loaded."""
-    command = [sys.executable, "-B", __file__, "--steps", str(steps), "--threads-of-torch", str(torch_threads)]
-    environment = dict(os.environ, OPENBLAS_NUM_THREADS=str(blas_threads))
+    command = [sys.executable, "-B", __file__, "--setting", setting, "--steps", str(steps)]
+    command += ["--threads-of-torch", str(threads[0])]
+    environment = dict(os.environ, OPENBLAS_NUM_THREADS=str(threads[1]))
     return float(subprocess.run(command, env=environment, check=True, capture_output=True, text=True).stdout)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("--steps", type=int, default=30, help="steps for each setting")
-    parser.add_argument("--threads-of-torch", type=int, help="measure only this setting; print seconds")
+    parser.add_argument("--setting", choices=SETTINGS, default="ipd")
+    parser.add_argument("--steps", type=int, default=30, help="steps for each number of threads")
+    parser.add_argument("--threads-of-torch", type=int, help="measure only this number; print seconds")
     arguments = parser.parse_args()
     if arguments.threads_of_torch:
         torch.set_num_threads(arguments.threads_of_torch)
-        print(best_seconds(arguments.steps))
+        print(best_seconds(arguments.setting, arguments.steps))
         return
     print(f"PyTorch {torch.__version__}, OPENBLAS_CORETYPE={os.environ.get('OPENBLAS_CORETYPE', 'unset')}")
     times = {}
-    for setting in itertools.product(range(1, os.cpu_count() + 1), repeat=2):
-        times[setting] = measure(*setting, arguments.steps)
-        print(line(setting, times[setting]), flush=True)
+    for threads in itertools.product(range(1, os.cpu_count() + 1), repeat=2):
+        times[threads] = measure(arguments.setting, threads, arguments.steps)
+        print(line(arguments.setting, threads, times[threads]), flush=True)
     best = min(times, key=times.get)
-    print("best: " + line(best, times[best]))
+    print("best: " + line(arguments.setting, best, times[best]))
 
 
-def line(setting, seconds):
-    rate = NOMINAL_GFLOP / seconds
-    return f"torch {setting[0]} threads, OpenBLAS {setting[1]}: {seconds:.4f} s a step, {rate:.1f} GFLOP/s"
+def line(setting, threads, seconds):
+    rate = SETTINGS[setting][1] / seconds
+    return f"torch {threads[0]} threads, OpenBLAS {threads[1]}: {seconds:.4f} s a step, {rate:.1f} GFLOP/s"
 
 
 if __name__ == "__main__":

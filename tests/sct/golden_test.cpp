@@ -1,6 +1,7 @@
 // Outputs, losses, gradients and optimiser steps of an independent program: every file reference/sct/sct_tiny_*.json.
 
 #include <folk/sct/adamw.h>
+#include <folk/sct/batch_gradient.h>
 #include <folk/sct/self_confirming_loss.h>
 
 #include <gtest/gtest.h>
@@ -202,13 +203,41 @@ TEST_P(GoldenFile, OutputsLossesAndGradientsOfEveryMode) {
   }
 }
 
+/// By the way that training goes: window by window, on several threads, only what the loss needs.
+TEST_P(GoldenFile, LossesAndGradientsOfABatch) {
+  const Golden golden(GetParam());
+  const Network<double> network(golden.architecture);
+  const auto parameters = golden.parameters(network.layout(), golden.json.at("params"));
+  for (const auto& [name, mode] : golden.json.at("modes").items())
+    for (const unsigned threads : {1U, 2U}) {
+      SCOPED_TRACE(name);
+      BatchGradient<double> gradient_of(network, parse_loss_mode(name), threads);
+      std::vector<double> gradient(parameters.size(), 7.0);
+      const auto losses = gradient_of(parameters, golden.batch, StepDropout(), gradient);
+      EXPECT_NEAR(losses.total(), mode.at("loss").at("total").get<double>(), tolerance);
+      std::vector<bool> touched(parameters.size());
+      for (const auto& [begin, end] : gradient_of.touched())
+        for (std::size_t i = begin; i < end; ++i) touched[i] = true;
+      const auto without = mode.at("params_without_grad").get<std::vector<std::string>>();
+      for (const auto& tensor : network.layout().tensors()) {
+        const bool none = std::find(without.begin(), without.end(), tensor.name) != without.end();
+        const auto begin = static_cast<std::ptrdiff_t>(tensor.offset);
+        const auto end = begin + static_cast<std::ptrdiff_t>(tensor.size());
+        EXPECT_EQ(std::count(touched.begin() + begin, touched.begin() + end, none), 0) << tensor.name;
+        expect_near({gradient.begin() + begin, gradient.begin() + end},
+                    none ? std::vector<double>(tensor.size()) : numbers(mode.at("grads").at(tensor.name)), tensor.name);
+      }
+      EXPECT_NEAR(norm(std::span<const double>(gradient)), mode.at("grad_norm").get<double>(), tolerance);
+    }
+}
+
+/// Likewise.
 TEST_P(GoldenFile, ThreeOptimiserSteps) {
   const Golden golden(GetParam());
   const auto& expected = golden.json.at("train3");
   const Network<double> network(golden.architecture);
   auto parameters = golden.parameters(network.layout(), golden.json.at("params"));
-  const Chunk<double> chunk{golden.batch, 0, 0, golden.batch.window_rounds};
-  SelfConfirmingLoss<double> loss(network, parse_loss_mode(expected.at("mode").get<std::string>()));
+  BatchGradient<double> gradient_of(network, parse_loss_mode(expected.at("mode").get<std::string>()), 2);
   const AdamWSettings settings{.learning_rate = expected.at("lr"),
                                .weight_decay = expected.at("weight_decay"),
                                .beta_1 = expected.at("betas")[0],
@@ -216,17 +245,13 @@ TEST_P(GoldenFile, ThreeOptimiserSteps) {
                                .epsilon = expected.at("eps"),
                                .clip = expected.at("clip"),
                                .warmup_steps = expected.at("warmup")};
-  std::vector<std::pair<std::size_t, std::size_t>> parts;
-  for (const auto& tensor : network.layout().tensors())
-    if (!loss.untouched(tensor)) parts.emplace_back(tensor.offset, tensor.offset + tensor.size());
   AdamWState<double> state;
   for (std::size_t step = 0; step < expected.at("losses").size(); ++step) {
     std::vector<double> gradient(parameters.size());
-    const auto losses =
-        loss(parameters.data(), chunk, Denominators<double>(golden.batch), {Dropout(), Dropout()}, gradient.data());
+    const auto losses = gradient_of(parameters, golden.batch, StepDropout(), gradient);
     EXPECT_NEAR(losses.total(), expected.at("losses")[step].get<double>(), tolerance);
     EXPECT_NEAR(settings.rate(step), expected.at("lrs")[step].get<double>(), tolerance);
-    const double length = adamw_step<double>(settings, parts, gradient, state, parameters);
+    const double length = adamw_step<double>(settings, gradient_of.touched(), gradient, state, parameters);
     EXPECT_NEAR(length, expected.at("grad_norms_before_clip")[step].get<double>(), tolerance);
   }
   const auto after = golden.parameters(network.layout(), expected.at("params_after"));
