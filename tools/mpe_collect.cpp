@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <folk/games/criterion.h>
 #include <folk/games/error.h>
-#include <folk/mpe/offline/collect.h>
+#include <folk/mpe/data/collect.h>
 #include <folk/mpe/players/names.h>
 #include <folk/mpe/players/noisy.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 // A data set of the particle world as text and JSON: what mpe-train collect has written and mpe-train inspect has read.
 
-#include <folk/mpe/offline/data_set.h>
+#include <folk/mpe/data/data_set.h>
 
 #include <cstddef>
 #include <optional>

@@ -45,6 +45,7 @@ Program mpe_evaluate() {
                       "mpe-evaluate --scenario simple_world --predators expert --prey \"released,still,blend(0.5)\"",
                       "mpe-evaluate --predators lead_pursuit --episodes 10 --render episode.svg --record episode.csv",
                       "mpe-evaluate --predators mine.safetensors --prey random --episodes 1000 --format json",
+                      "mpe-evaluate --predators sct.safetensors --prey released,still --targets 0:480:40 --beliefs",
                       "mpe-evaluate --replay episode.csv --free-run --tolerance 1e-9"};
   program.claim = "a replay deviates by more than the tolerance";
   auto add = program.options.add_options();
@@ -59,6 +60,12 @@ Program mpe_evaluate() {
   add("references", text(),
       "what counts as 100 and 0: published, measured, or the two returns EXPERT,RANDOM (default: published for the "
       "released prey, measured for others)");
+  add("targets", text(),
+      "returns that a transformer is asked for, LOW:HIGH:STEP or a comma list: each prey's best, found on other "
+      "episodes, is played (default: what its data earned)");
+  add("selection-seed", text(), "of the episodes on which the best is found (default: the seed + 1000000)");
+  add("beliefs", "say how often a transformer's beliefs are right");
+  add("force-beliefs", "play again with its beliefs forced to the truth, to another episode's, to zero");
   add("output", text(), "folder for results.csv, results.json, episodes.csv");
   add("record", text(), "write one episode, step by step, to FILE.csv");
   add("render", text(), "draw one episode: FILE.svg (animated) or FILE.png (a filmstrip)");
@@ -94,6 +101,35 @@ void choose_references(EvaluationSettings& settings, const po::variables_map& va
     throw UsageError(fmt::format("--references '{}': the expert must earn other than random play", excerpt(text)));
 }
 
+/// "0:480:20" or "0,100,250".
+std::vector<double> targets_of(const std::string& text) {
+  constexpr std::size_t most_targets = 1000;
+  const auto number = [&](const std::string& part) { return parse_number(part, "--targets", -1e6, 1e6); };
+  std::vector<double> targets;
+  if (const auto colon = text.find(':'); colon != std::string::npos) {
+    const auto second = text.find(':', colon + 1);
+    if (second == std::string::npos)
+      throw UsageError(fmt::format("--targets '{}': expected LOW:HIGH:STEP, as in 0:480:20", excerpt(text)));
+    const double low = number(text.substr(0, colon));
+    const double high = number(text.substr(colon + 1, second - colon - 1));
+    const double step = number(text.substr(second + 1));
+    if (!(step > 0) || high < low || (high - low) / step >= static_cast<double>(most_targets))
+      throw UsageError(
+          fmt::format("--targets '{}': expected LOW <= HIGH and a STEP above 0 that makes at most {} of them",
+                      excerpt(text), most_targets));
+    // Counted first: beside a large LOW a small STEP adds nothing. A HIGH that rounding alone keeps away is reached.
+    const auto steps = static_cast<std::size_t>((high - low) / step + 1e-9);
+    for (std::size_t i = 0; i <= steps; ++i) targets.push_back(low + step * static_cast<double>(i));
+    return targets;
+  }
+  if (text.find_first_not_of(", ") == std::string::npos)
+    throw UsageError("--targets: no return is named; give LOW:HIGH:STEP or a comma list, as in 0:480:20");
+  for (const auto& part : mpe::split_names(text)) targets.push_back(number(part));
+  if (targets.size() > most_targets)
+    throw UsageError(fmt::format("--targets: {} of them, at most {} are tried", targets.size(), most_targets));
+  return targets;
+}
+
 EvaluationSettings settings_of(const po::variables_map& values) {
   EvaluationSettings settings;
   settings.scenario = chosen_scenario(values);
@@ -113,6 +149,15 @@ EvaluationSettings settings_of(const po::variables_map& values) {
         mpe::placed_at(mpe::numpy_starts(settings.scenario, *settings.numpy_seed, settings.plan.episodes));
   }
   choose_references(settings, values);
+  if (values.count("targets") != 0) settings.targets = targets_of(text_option(values, "targets"));
+  if (values.count("selection-seed") != 0 && settings.targets.empty())
+    throw UsageError("--selection-seed: of the episodes on which a target is chosen; give --targets");
+  settings.selection_seed =
+      whole_option(values, "selection-seed", settings.plan.seed + 1'000'000, 0, ~std::uint64_t{0});
+  if (!settings.targets.empty() && settings.selection_seed == settings.plan.seed)
+    throw UsageError("--selection-seed: a target chosen on the very episodes that are reported flatters; give another");
+  settings.beliefs = values.count("beliefs") != 0;
+  settings.forced_beliefs = values.count("force-beliefs") != 0;
   return settings;
 }
 
@@ -198,7 +243,7 @@ int evaluate_players(const po::variables_map& values, const Common& common) {
 int replay(const po::variables_map& values, const Common& common) {
   refuse_options(values,
                  {"scenario", "predators", "prey", "episodes", "seed", "numpy-seed", "threads", "references", "output",
-                  "record", "render", "episode"},
+                  "record", "render", "episode", "targets", "selection-seed", "beliefs", "force-beliefs"},
                  "a replay plays what the file recorded; leave out this option or --replay");
   ReplaySettings settings;
   settings.files = mpe::split_names(text_option(values, "replay"));

@@ -50,7 +50,7 @@ std::string score_table(const Evaluation& evaluation) {
 
 std::string reference_table(const Evaluation& evaluation) {
   Table table({"prey", "S_expert", "S_random", "references"});
-  for (const auto& [prey, episodes, summary, references, score] : evaluation.results)
+  for (const auto& [prey, episodes, summary, references, score, transformer] : evaluation.results)
     table.add(
         {prey, cell(references.expert, 2), cell(references.random, 2), std::string(to_string(references.source))});
   return table.text();
@@ -74,27 +74,112 @@ std::string legend(const Evaluation& evaluation) {
   return text;
 }
 
+/// "0.873 ±0.012"
+std::string measured(const mpe::Estimate& estimate, int decimals) {
+  return std::isfinite(estimate.ci95)
+             ? fmt::format("{:.{}f} ±{:.{}f}", estimate.mean, decimals, estimate.ci95, decimals)
+             : fmt::format("{:.{}f}", estimate.mean, decimals);
+}
+
+/// What is said of a transformer's beliefs and of the returns it was asked for.
+std::string transformer_tables(const EvaluationSettings& settings, const Evaluation& evaluation) {
+  std::string text;
+  if (settings.beliefs) {
+    std::vector<std::string> header{"prey", "target"};
+    for (const double radius : mpe::belief_radii) header.push_back(fmt::format("within {:.0f} %", 100 * radius));
+    header.insert(header.end(), {"within 0.1", "distance"});
+    Table table(header);
+    for (const auto& result : evaluation.results) {
+      const auto& transformer = *result.transformer;
+      std::vector<std::string> row{result.prey, fmt::format("{:g}", transformer.target)};
+      for (const auto& right : transformer.beliefs->right) row.push_back(measured(right, 3));
+      row.push_back(measured(transformer.beliefs->near, 3));
+      row.push_back(measured(transformer.beliefs->distance, 4));
+      table.add(row);
+    }
+    text += fmt::format(
+        "\n{}\nwithin r %: share of steps with |belief - action| < r max(|action|, {}); within 0.1: with a distance "
+        "below 0.1\n",
+        table.text(), mpe::belief_floor);
+  }
+  if (settings.forced_beliefs) {
+    Table table({"prey", "belief", "return", "difference", "actions change by"});
+    for (const auto& result : evaluation.results)
+      for (const auto& forced : result.transformer->forced)
+        table.add({result.prey,
+                   forced.forcing == mpe::BeliefForcing::none ? "own" : std::string(to_string(forced.forcing)),
+                   measured(forced.predators, 2), measured(forced.difference, 2), measured(forced.change, 4)});
+    text += fmt::format(
+        "\n{}\nbelief: what stands in the belief token: the own belief, what the prey will do, what it will do in "
+        "another episode,\nor zero; difference: of the return from that on own beliefs, episode by episode\n",
+        table.text());
+  }
+  if (!settings.targets.empty()) {
+    Table table({"prey", "asked", "return", settings.beliefs ? "within 10 %" : "", ""});
+    for (const auto& result : evaluation.results)
+      for (const auto& row : result.transformer->targets)
+        table.add({result.prey, fmt::format("{:g}", row.target), measured(row.predators, 2),
+                   settings.beliefs ? measured(row.beliefs->right[mpe::paper_radius], 3) : "",
+                   row.target == result.transformer->target ? "played" : ""});
+    text +=
+        fmt::format("\n{}\nasked: the return asked for, over the {} episodes of seed {}; the best is played above\n",
+                    table.text(), settings.plan.episodes, settings.selection_seed);
+  }
+  return text;
+}
+
+Json json_of(const mpe::Estimate& estimate) { return {{"mean", estimate.mean}, {"ci95", json_number(estimate.ci95)}}; }
+
+Json json_of(const mpe::BeliefSummary& beliefs) {
+  Json json;
+  for (std::size_t r = 0; r < mpe::belief_radii.size(); ++r)
+    json["right"].push_back({{"radius", mpe::belief_radii[r]},
+                             {"mean", beliefs.right[r].mean},
+                             {"ci95", json_number(beliefs.right[r].ci95)}});
+  json["near"] = json_of(beliefs.near);
+  json["distance"] = json_of(beliefs.distance);
+  return json;
+}
+
+Json json_of(const TransformerResult& transformer) {
+  Json json{{"target", transformer.target}};
+  if (transformer.beliefs) json["beliefs"] = json_of(*transformer.beliefs);
+  for (const auto& row : transformer.targets) {
+    Json asked{{"target", row.target}, {"return", json_of(row.predators)}};
+    if (row.beliefs) asked["beliefs"] = json_of(*row.beliefs);
+    json["asked"].push_back(asked);
+  }
+  for (const auto& forced : transformer.forced)
+    json["forced"].push_back({{"belief", to_string(forced.forcing)},
+                              {"return", json_of(forced.predators)},
+                              {"difference", json_of(forced.difference)},
+                              {"change", json_of(forced.change)}});
+  return json;
+}
+
 Json json_of(const PreyResult& result, const std::string& predators) {
   const auto& [episodes, returns, means] = result.summary;
-  return Json{{"prey", result.prey},
-              {"predators", predators},
-              {"episodes", episodes},
-              {"return",
-               {{"mean", returns.mean},
-                {"ci95", json_number(returns.ci95)},
-                {"sd", json_number(returns.deviation)},
-                {"standard_error", json_number(returns.standard_error)}}},
-              {"score", json_number(result.score)},
-              {"references",
-               {{"expert", json_number(result.references.expert)},
-                {"random", result.references.random},
-                {"source", to_string(result.references.source)}}},
-              {"prey_return", means.prey},
-              {"contacts", means.contacts},
-              {"caught_steps", means.caught_steps},
-              {"distance", means.distance},
-              {"nearest", means.nearest},
-              {"outside_steps", means.outside_steps}};
+  Json json{{"prey", result.prey},
+            {"predators", predators},
+            {"episodes", episodes},
+            {"return",
+             {{"mean", returns.mean},
+              {"ci95", json_number(returns.ci95)},
+              {"sd", json_number(returns.deviation)},
+              {"standard_error", json_number(returns.standard_error)}}},
+            {"score", json_number(result.score)},
+            {"references",
+             {{"expert", json_number(result.references.expert)},
+              {"random", result.references.random},
+              {"source", to_string(result.references.source)}}},
+            {"prey_return", means.prey},
+            {"contacts", means.contacts},
+            {"caught_steps", means.caught_steps},
+            {"distance", means.distance},
+            {"nearest", means.nearest},
+            {"outside_steps", means.outside_steps}};
+  if (result.transformer) json["transformer"] = json_of(*result.transformer);
+  return json;
 }
 
 void write_episodes_csv(std::ostream& out, const Evaluation& evaluation) {
@@ -112,6 +197,7 @@ void write_episodes_csv(std::ostream& out, const Evaluation& evaluation) {
 void write_text(std::ostream& out, const EvaluationSettings& settings, const Evaluation& evaluation) {
   out << settings_lines(settings, evaluation) << score_table(evaluation) << '\n'
       << reference_table(evaluation) << legend(evaluation);
+  out << transformer_tables(settings, evaluation);
   for (const auto& note : evaluation.notes) out << "note: " << note << '\n';
   out << fmt::format("signature {:016x}\n", evaluation.signature);
 }
@@ -119,7 +205,7 @@ void write_text(std::ostream& out, const EvaluationSettings& settings, const Eva
 void write_csv(std::ostream& out, const EvaluationSettings& settings, const Evaluation& evaluation) {
   out << "scenario,predators,prey,episodes,return,ci95,sd,standard_error,score,reference_expert,reference_random,"
          "reference_source,prey_return,contacts,caught_steps,distance,nearest,outside_steps\n";
-  for (const auto& [prey, scores, summary, references, score] : evaluation.results) {
+  for (const auto& [prey, scores, summary, references, score, transformer] : evaluation.results) {
     const auto& [episodes, returns, means] = summary;
     out << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", settings.scenario.name,
                        csv_field(evaluation.predators), csv_field(prey), episodes, returns.mean,
@@ -141,6 +227,7 @@ void write_json(std::ostream& out, const EvaluationSettings& settings, const Eva
             {"signature", fmt::format("{:016x}", evaluation.signature)},
             {"notes", evaluation.notes},
             {"results", Json::array()}};
+  if (!settings.targets.empty()) json["selection_seed"] = settings.selection_seed;
   for (const auto& result : evaluation.results) json["results"].push_back(json_of(result, evaluation.predators));
   out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <folk/games/error.h>
 #include <folk/games/text_file.h>
+#include <folk/mpe/players/any_policy.h>
 #include <folk/mpe/players/names.h>
 #include <folk/mpe/players/policy_file.h>
 
@@ -87,6 +88,62 @@ private:
   const std::function<void(double)>& progress_;
 };
 
+/// The mind of a transformer's policy file; null for all other players.
+std::shared_ptr<const mpe::TransformerMind> transformer_of(const Controller& predators) {
+  if (predators.file.empty()) return nullptr;
+  const std::string bytes = read_file(predators.file, mpe::largest_policy_file);
+  if (!mpe::is_transformer(bytes, predators.file)) return nullptr;
+  return std::make_shared<const mpe::TransformerMind>(mpe::parse_transformer_policy(bytes, predators.file));
+}
+
+/// Refuses what only transformers can be asked.
+void require_transformer(const EvaluationSettings& settings, const Evaluation& evaluation,
+                         const std::vector<Opponent>& preys) {
+  const auto refuse = [&](const char* option, const char* what) {
+    throw UsageError(fmt::format("{}: {} {}; give --predators the file of another policy, or leave it out", option,
+                                 excerpt(evaluation.predators, 1000), what));
+  };
+  const auto& mind = evaluation.mind;
+  if (!settings.targets.empty() && !mind) refuse("--targets", "is no transformer and cannot be asked for a return");
+  if (settings.beliefs && (!mind || !mind->believes())) refuse("--beliefs", "has no beliefs");
+  if (!settings.forced_beliefs) return;
+  if (!mind || !mind->believes() || !mind->acts_on_belief()) refuse("--force-beliefs", "does not act on beliefs");
+  for (const auto& prey : preys)
+    if (prey.controller.one_by_one)
+      throw UsageError(fmt::format("--force-beliefs: what {} will do cannot be known; name a player of Folk",
+                                   excerpt(prey.name, 1000)));
+}
+
+void play_transformer(const EvaluationSettings& settings, const mpe::Layout& layout,
+                      const std::shared_ptr<const mpe::TransformerMind>& mind, const Controller& prey,
+                      const std::function<void(double)>& progress, PreyResult& result) {
+  const double plays = static_cast<double>(1 + settings.targets.size() + (settings.forced_beliefs ? 4 : 0));
+  double done = 0;
+  const auto piece = [&](double weight) {
+    const double begin = done;
+    done += weight;
+    return [&progress, begin, weight, plays](double share) { progress((begin + weight * share) / plays); };
+  };
+  TransformerResult transformer;
+  transformer.target = mind->policy.return_target;
+  if (!settings.targets.empty()) {
+    mpe::EpisodePlan selection = settings.plan;
+    selection.seed = settings.selection_seed;
+    selection.place = nullptr;
+    transformer.targets = mpe::score_targets(layout, mind, prey, selection, settings.targets,
+                                             piece(static_cast<double>(settings.targets.size())));
+    transformer.target = mpe::best_target(transformer.targets);
+  }
+  mpe::TransformerPlay play;
+  play.target = transformer.target;
+  auto scores = mpe::score_transformer(layout, mind, prey, settings.plan, play, piece(1));
+  if (mind->believes()) transformer.beliefs = mpe::summarise(std::span<const mpe::EpisodeBeliefs>(scores.beliefs));
+  if (settings.forced_beliefs)
+    transformer.forced = mpe::force_beliefs(layout, mind, prey, settings.plan, play, piece(4));
+  result.episodes = std::move(scores.play);
+  result.transformer = std::move(transformer);
+}
+
 }  // namespace
 
 Evaluation evaluate(const EvaluationSettings& settings, const std::function<void(double)>& progress) {
@@ -95,15 +152,22 @@ Evaluation evaluate(const EvaluationSettings& settings, const std::function<void
   const auto preys = opponents(settings);
   Evaluation evaluation;
   evaluation.predators = predators.name;
+  evaluation.mind = transformer_of(predators);
+  require_transformer(settings, evaluation, preys);
   const auto measured = static_cast<std::size_t>(std::count_if(
       preys.begin(), preys.end(), [](const auto& prey) { return prey.source == ReferenceSource::measured; }));
   const auto expert = measured > 0 ? shipped_expert(settings, evaluation.notes) : std::nullopt;
   const std::size_t references = expert ? 2 : 1;
-  Pieces pieces(preys.size() + references * measured, progress);
+  const std::size_t plays = 1 + settings.targets.size() + (settings.forced_beliefs ? 4 : 0);
+  Pieces pieces(plays * preys.size() + references * measured, progress);
   for (const auto& prey : preys) {
     PreyResult result;
     result.prey = prey.name;
-    result.episodes = score_episodes(layout, {predators, prey.controller}, settings.plan, pieces.next(1));
+    if (evaluation.mind)
+      play_transformer(settings, layout, evaluation.mind, prey.controller, pieces.next(static_cast<double>(plays)),
+                       result);
+    else
+      result.episodes = score_episodes(layout, {predators, prey.controller}, settings.plan, pieces.next(1));
     result.summary = mpe::summarise(result.episodes);
     switch (prey.source) {
       case ReferenceSource::published: result.references = mpe::published_references(settings.scenario); break;
@@ -120,8 +184,13 @@ Evaluation evaluate(const EvaluationSettings& settings, const std::function<void
 }
 
 mpe::EpisodeRecord record_again(const EvaluationSettings& settings, std::size_t episode, Evaluation& evaluation) {
-  const mpe::Cast cast{player(settings, settings.predators, mpe::Side::predators),
-                       player(settings, settings.preys.front(), mpe::Side::prey)};
+  mpe::Cast cast{player(settings, settings.predators, mpe::Side::predators),
+                 player(settings, settings.preys.front(), mpe::Side::prey)};
+  if (evaluation.mind) {
+    mpe::TransformerPlay play;
+    play.target = evaluation.results.front().transformer->target;
+    cast.predators = mpe::transformer_controller(evaluation.predators, evaluation.mind, settings.scenario, play);
+  }
   mpe::EpisodePlan plan = settings.plan;
   plan.first += episode;
   auto record = mpe::record_episode(mpe::Layout(settings.scenario), cast, plan);

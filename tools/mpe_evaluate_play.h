@@ -1,6 +1,7 @@
 #pragma once
 // Episodes of the particle world, scored: predators against one prey after another.
 
+#include <folk/mpe/evaluation/beliefs.h>
 #include <folk/mpe/evaluation/episode_record.h>
 #include <folk/mpe/evaluation/scores.h>
 
@@ -26,6 +27,20 @@ struct EvaluationSettings {
   mpe::References given;  ///< those of a source that is `given`
 
   std::filesystem::path data;  ///< the shipped players
+
+  // Of predators that are a transformer's policy file:
+  std::vector<double> targets;       ///< returns of which each prey's best is asked for; empty: the policy's own
+  std::uint64_t selection_seed = 2;  ///< of the episodes on which the best is found
+  bool beliefs = false;              ///< say how often they are right
+  bool forced_beliefs = false;       ///< say what becomes of the play when they are forced
+};
+
+/// What is said of a transformer's beliefs and of the returns that it is asked for.
+struct TransformerResult {
+  double target = 0;                          ///< that was asked for
+  std::vector<mpe::TargetScore> targets;      ///< all that were tried
+  std::optional<mpe::BeliefSummary> beliefs;  ///< of a policy that believes
+  std::vector<mpe::ForcingScore> forced;
 };
 
 /// What came of one prey.
@@ -35,10 +50,12 @@ struct PreyResult {
   mpe::ScoreSummary summary;
   mpe::References references;
   std::optional<double> score;  ///< normalised
+  std::optional<TransformerResult> transformer;
 };
 
 struct Evaluation {
   std::string predators;
+  std::shared_ptr<const mpe::TransformerMind> mind;  ///< of a transformer
   std::vector<PreyResult> results;
   std::vector<std::string> notes;  ///< what a reader must know
   std::uint64_t signature = 0;     ///< over the returns of all episodes

@@ -4,7 +4,7 @@
 #include "program.h"
 
 #include <folk/games/error.h>
-#include <folk/mpe/offline/data_figures.h>
+#include <folk/mpe/data/data_figures.h>
 
 #include <algorithm>
 #include <iostream>

@@ -18,10 +18,8 @@ public:
   Table(const Layout& layout, const Cast& cast)
       : layout_(layout),
         cast_(cast),
-        batch_(layout.scenario(), cast.one_by_one() ? 1 : block_lanes) {
-    for (std::size_t agent = 0; agent < layout.agents(); ++agent)
-      players_.push_back(cast.of(layout, agent).player(layout, agent));
-  }
+        batch_(layout.scenario(), cast.one_by_one() ? 1 : block_lanes),
+        players_(cast.players(layout)) {}
 
   /// Plays `lanes` episodes from `first` on.
   void play(const EpisodePlan& plan, std::uint64_t first, std::size_t lanes, Watcher& watcher) {
@@ -47,7 +45,7 @@ private:
   const Layout& layout_;
   const Cast& cast_;
   Batch batch_;
-  std::vector<std::unique_ptr<Player>> players_;
+  Team players_;
 };
 
 class Scorer final : public Watcher {
@@ -106,11 +104,13 @@ void play_episodes(const Layout& layout, const Cast& cast, const EpisodePlan& pl
                progress);
 }
 
+std::unique_ptr<Watcher> scoring(EpisodeScore* scores) { return std::make_unique<Scorer>(scores); }
+
 std::vector<EpisodeScore> score_episodes(const Layout& layout, const Cast& cast, const EpisodePlan& plan,
                                          const std::function<void(double)>& progress) {
   std::vector<EpisodeScore> scores(plan.episodes);
   play_episodes(
-      layout, cast, plan, [&](std::size_t begin) { return std::make_unique<Scorer>(scores.data() + begin); }, progress);
+      layout, cast, plan, [&](std::size_t begin) { return scoring(scores.data() + begin); }, progress);
   return scores;
 }
 

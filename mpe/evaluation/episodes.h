@@ -54,6 +54,9 @@ struct EpisodeScore {
   double outside_steps = 0;  ///< steps with the prey outside [-1, 1]^2
 };
 
+/// Adds up the scores of a block's episodes at `scores`, one after the other.
+std::unique_ptr<Watcher> scoring(EpisodeScore* scores);
+
 /// The scores of the planned episodes, in their order.
 std::vector<EpisodeScore> score_episodes(const Layout& layout, const Cast& cast, const EpisodePlan& plan,
                                          const std::function<void(double)>& progress = nullptr);

@@ -97,7 +97,8 @@ Force parse_force(std::string_view line) {
 Controller exec_controller(std::string_view command, milliseconds time_out) {
   const std::string plain = unquoted(command);
   const std::string name = exec_strategy(plain, time_out).name;  // of the same form, and refused for the same reasons
-  return {name, [=](const Layout&, std::size_t) { return std::make_unique<ExecPlayer>(name, plain, time_out); }, true};
+  return {name, each([=](const Layout&, std::size_t) { return std::make_unique<ExecPlayer>(name, plain, time_out); }),
+          true};
 }
 
 }  // namespace folk::mpe

@@ -1,5 +1,7 @@
 #include <folk/games/criterion.h>
 #include <folk/games/error.h>
+#include <folk/games/text_file.h>
+#include <folk/mpe/players/any_policy.h>
 #include <folk/mpe/players/exec_player.h>
 #include <folk/mpe/players/names.h>
 #include <folk/mpe/players/policy_file.h>
@@ -19,15 +21,15 @@ namespace fs = std::filesystem;
 
 /// The files of shipped policies: data/mpe/simple_tag_expert.safetensors.
 const std::vector<std::string>& shipped_names(Side side) {
-  static const std::vector<std::string> predators{"expert", "medium"};
+  static const std::vector<std::string> predators{"expert", "medium", "expert_maddpg"};
   static const std::vector<std::string> prey{"released", "maddpg"};
   return side == Side::prey ? prey : predators;
 }
 
 const std::vector<std::string>& known_names(Side side) {
-  static const std::vector<std::string> predators{"still",    "random",       "random(program)",
-                                                  "blend(P)", "lead_pursuit", "greedy_pursuit",
-                                                  "expert",   "medium",       "untrained(SEED)"};
+  static const std::vector<std::string> predators{"still",         "random",         "random(program)", "blend(P)",
+                                                  "lead_pursuit",  "greedy_pursuit", "expert",          "medium",
+                                                  "expert_maddpg", "untrained(SEED)"};
   static const std::vector<std::string> prey{"still",    "random", "random(program)", "blend(P)",
                                              "released", "maddpg", "untrained(SEED)"};
   return side == Side::prey ? prey : predators;
@@ -114,9 +116,9 @@ private:
   }
 
   Controller file(std::string_view path) const {
-    auto policy = read_policy(fs::path(path));
+    const std::string bytes = read_file(fs::path(path), largest_policy_file);
     try {
-      auto player = policy_controller(std::string(path), std::move(policy), side_, scenario_);
+      auto player = any_policy_controller(std::string(path), bytes, std::string(path), side_, scenario_);
       player.file = path;
       return player;
     } catch (const UsageError& error) {  // a sound file, but not for this

@@ -4,8 +4,8 @@
 //   still  random  random(program)  blend(P[;PLAYER][;shared])   either side; blend: PLAYER with probability P, else
 //                                                                random(program) (default PLAYER: released or expert)
 //   lead_pursuit  greedy_pursuit  expert  medium                 predators
+//   expert_maddpg                                                predators that were trained against the prey maddpg
 //   released  maddpg                                             the prey
-//   untrained(SEED)                                              either side; a network as initial_parameters makes it
 //   untrained(SEED)                                              either side, a freshly initialised network
 //   exec:"CMD"                                                   a program on a pipe
 //   anything else                                                a policy file (policy_file.h)

@@ -43,8 +43,10 @@ Controller noisy(Controller controller, double sigma) {
   std::string name = fmt::format("{} with noise {}", controller.name, sigma);
   const bool one_by_one = controller.one_by_one;
   return {std::move(name),
-          [sigma, inner = std::move(controller)](const Layout& layout, std::size_t agent) -> std::unique_ptr<Player> {
-            return std::make_unique<Noisy>(inner.player(layout, agent), sigma);
+          [sigma, inner = std::move(controller)](const Layout& layout, Side side) {
+            Team team = inner.team(layout, side);
+            for (auto& player : team) player = std::make_unique<Noisy>(std::move(player), sigma);
+            return team;
           },
           one_by_one};
 }

@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace folk::mpe {
 
@@ -39,18 +40,32 @@ inline Side side_of(const Layout& layout, std::size_t agent) {
   return agent + 1 == layout.agents() ? Side::prey : Side::predators;
 }
 
+/// The agents of a side, in their order.
+std::vector<std::size_t> agents_of(const Layout& layout, Side side);
+
+/// The players of a side, in their agents' order. Each is asked once a step, one after the other; they may share what
+/// they know.
+using Team = std::vector<std::unique_ptr<Player>>;
+using MakeTeam = std::function<Team(const Layout& layout, Side side)>;
+
+/// The team of players who share nothing.
+MakeTeam each(std::function<std::unique_ptr<Player>(const Layout& layout, std::size_t agent)> player);
+
 /// A kind of player by its name: what --predators and --prey say.
 struct Controller {
   std::string name;
 
-  /// A player for one agent. Several may play at once, each on a thread of its own.
-  std::function<std::unique_ptr<Player>(const Layout& layout, std::size_t agent)> player;
+  /// Players for a side. Several teams may play at once, each on a thread of its own.
+  MakeTeam team;
 
   /// True when episodes must be played one at a time, in their order: a program on a pipe.
   bool one_by_one = false;
 
   /// The policy file that it was named by; empty for all other names.
   std::string file{};
+
+  /// A team's player for one agent, alone.
+  std::unique_ptr<Player> player(const Layout& layout, std::size_t agent) const;
 };
 
 /// Who plays: the predators' controller and the prey's.
@@ -61,6 +76,8 @@ struct Cast {
   const Controller& of(const Layout& layout, std::size_t agent) const {
     return side_of(layout, agent) == Side::prey ? prey : predators;
   }
+  /// Players for all agents.
+  Team players(const Layout& layout) const;
   bool one_by_one() const { return predators.one_by_one || prey.one_by_one; }
 };
 

@@ -1,108 +1,18 @@
 #include <folk/games/error.h>
 #include <folk/games/text_file.h>
 #include <folk/mpe/players/policy_file.h>
-#include <folk/sct/little_endian.h>
-#include <folk/sct/safetensors.h>
+#include <folk/mpe/players/policy_tensors.h>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <array>
-#include <bit>
-#include <cmath>
 #include <optional>
 #include <utility>
 
 namespace folk::mpe {
 namespace {
 
-constexpr std::size_t most_layers = 16;
-constexpr std::size_t widest_layer = 4096;
 constexpr std::array scenario_names = {"simple_tag", "simple_world"};
-
-using Shape = std::vector<std::uint64_t>;
-
-/// Takes tensors out of a file by name, so that what is left at the end was not asked for.
-class Reader {
-public:
-  Reader(sct::SafetensorsFile file, const std::string& source)
-      : file_(std::move(file)),
-        source_(source) {}
-
-  [[noreturn]] void refuse(const std::string& why) const {
-    throw InputFileError(fmt::format("{}: {}", excerpt(source_, 1000), why));
-  }
-
-  const std::map<std::string, std::string>& metadata() const { return file_.metadata; }
-  bool has(const std::string& name) const { return file_.tensors.contains(name); }
-  const Shape& shape(const std::string& name) const {
-    const auto found = file_.tensors.find(name);
-    if (found == file_.tensors.end()) refuse(fmt::format("tensor '{}' is missing; it is no policy of this form", name));
-    return found->second.shape;
-  }
-
-  std::vector<float> take(const std::string& name, const Shape& wanted) {
-    const Shape& there = shape(name);
-    if (there != wanted)
-      refuse(fmt::format("tensor '{}' has shape ({}): expected ({})", name, fmt::join(there, ", "),
-                         fmt::join(wanted, ", ")));
-    const auto& tensor = file_.tensors.at(name);
-    if (tensor.dtype != "F32")
-      refuse(fmt::format("tensor '{}' has type {}: expected F32; convert it", name, excerpt(tensor.dtype)));
-    std::uint64_t count = 1;
-    for (const auto size : wanted) count *= size;
-    if (tensor.data.size() != count * sizeof(float))
-      refuse(fmt::format("tensor '{}' has {} bytes: expected {}", name, tensor.data.size(), count * sizeof(float)));
-    std::vector<float> numbers(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      numbers[i] = std::bit_cast<float>(sct::load_little_endian<std::uint32_t>(tensor.data.substr(i * sizeof(float))));
-      if (!std::isfinite(numbers[i])) refuse(fmt::format("tensor '{}' holds a number that is not finite", name));
-    }
-    file_.tensors.erase(name);
-    return numbers;
-  }
-
-  void forget(const std::string& name) { file_.tensors.erase(name); }
-
-  void require_nothing_left() const {
-    if (!file_.tensors.empty())
-      refuse(fmt::format("tensor '{}' has no place in a policy", excerpt(file_.tensors.begin()->first)));
-  }
-
-private:
-  sct::SafetensorsFile file_;
-  const std::string& source_;
-};
-
-/// Layers prefix + "fc1", "fc2", ...
-PolicyNetwork take_network(Reader& reader, const std::string& prefix) {
-  const auto name = [&](std::size_t layer, const char* part) { return fmt::format("{}fc{}.{}", prefix, layer, part); };
-  std::vector<std::size_t> widths;
-  std::size_t layers = 0;
-  while (layers == 0 || reader.has(name(layers + 1, "weight"))) {
-    ++layers;
-    const Shape& shape = reader.shape(name(layers, "weight"));
-    if (layers > most_layers) reader.refuse(fmt::format("more than {} layers", most_layers));
-    if (shape.size() != 2 || shape[0] == 0 || shape[1] == 0 || shape[0] > widest_layer || shape[1] > widest_layer ||
-        (!widths.empty() && shape[1] != widths.back()))
-      reader.refuse(fmt::format("tensor '{}' has shape ({}), which does not follow the layer before",
-                                name(layers, "weight"), fmt::join(shape, ", ")));
-    if (widths.empty()) widths.push_back(shape[1]);
-    widths.push_back(shape[0]);
-  }
-  if (widths.back() != 2) reader.refuse(fmt::format("a network of {} outputs: expected 2, an action", widths.back()));
-  PolicyNetwork network;
-  network.shape = MlpShape(widths);
-  network.parameters.resize(network.shape.parameters());
-  for (std::size_t layer = 1; layer <= layers; ++layer) {
-    const auto put = [&](const std::vector<float>& numbers, std::size_t offset) {
-      std::copy(numbers.begin(), numbers.end(), network.parameters.begin() + static_cast<std::ptrdiff_t>(offset));
-    };
-    put(reader.take(name(layer, "weight"), {widths[layer], widths[layer - 1]}), network.shape.weight(layer - 1));
-    put(reader.take(name(layer, "bias"), {widths[layer]}), network.shape.bias(layer - 1));
-  }
-  return network;
-}
 
 /// Which scenario and side a network of this many inputs is for.
 std::optional<std::pair<std::string, Side>> meant_for(std::size_t inputs) {
@@ -114,22 +24,49 @@ std::optional<std::pair<std::string, Side>> meant_for(std::size_t inputs) {
   return std::nullopt;
 }
 
-Policy published_policy(Reader& reader) {
+/// Names of its tensors, in the order of InputNormalisation.
+using NormalisationNames = std::array<std::string, 4>;
+
+/// Names of the tensors of a network in Folk's own form.
+NormalisationNames normalisation_names(const std::string& prefix) {
+  return {prefix + "norm.weight", prefix + "norm.bias", prefix + "norm.mean", prefix + "norm.variance"};
+}
+
+/// Takes a normalisation of so many inputs where the file has the first of its tensors.
+std::optional<InputNormalisation> take_normalisation(PolicyReader& reader, std::size_t inputs,
+                                                     const NormalisationNames& names) {
+  if (!reader.has(names[0])) return std::nullopt;
+  const TensorShape shape{inputs};
+  InputNormalisation normalisation;
+  normalisation.weight = reader.take(names[0], shape);
+  normalisation.bias = reader.take(names[1], shape);
+  normalisation.mean = reader.take(names[2], shape);
+  normalisation.variance = reader.take(names[3], shape);
+  for (const float variance : normalisation.variance)
+    if (variance < 0) reader.refuse(fmt::format("tensor '{}' holds a number below 0", names[3]));
+  return normalisation;
+}
+
+void add_normalisation(PolicyWriter& writer, const std::string& prefix, std::size_t inputs,
+                       const InputNormalisation& normalisation) {
+  if (normalisation.epsilon != InputNormalisation{}.epsilon)
+    throw UsageError(fmt::format("a normalisation with an epsilon of {} has no place in this format, which has {}",
+                                 normalisation.epsilon, InputNormalisation{}.epsilon));
+  const auto names = normalisation_names(prefix);
+  const TensorShape shape{inputs};
+  writer.add(names[0], shape, normalisation.weight);
+  writer.add(names[1], shape, normalisation.bias);
+  writer.add(names[2], shape, normalisation.mean);
+  writer.add(names[3], shape, normalisation.variance);
+}
+
+Policy published_policy(PolicyReader& reader) {
   Policy policy;
   PolicyNetwork network = take_network(reader, "");
   const std::size_t inputs = network.shape.inputs();
-  if (reader.has("in_fn.weight")) {
-    const Shape shape{inputs};
-    InputNormalisation normalisation;
-    normalisation.weight = reader.take("in_fn.weight", shape);
-    normalisation.bias = reader.take("in_fn.bias", shape);
-    normalisation.mean = reader.take("in_fn.running_mean", shape);
-    normalisation.variance = reader.take("in_fn.running_var", shape);
-    for (const float variance : normalisation.variance)
-      if (variance < 0) reader.refuse("tensor 'in_fn.running_var' holds a number below 0");
-    reader.forget("in_fn.num_batches_tracked");
-    network.normalisation = std::move(normalisation);
-  }
+  network.normalisation =
+      take_normalisation(reader, inputs, {"in_fn.weight", "in_fn.bias", "in_fn.running_mean", "in_fn.running_var"});
+  if (network.normalisation) reader.forget("in_fn.num_batches_tracked");
   const auto meant = meant_for(inputs);
   if (!meant)
     reader.refuse(
@@ -141,21 +78,14 @@ Policy published_policy(Reader& reader) {
   return policy;
 }
 
-Policy folk_policy(Reader& reader) {
+Policy folk_policy(PolicyReader& reader) {
   Policy policy;
-  policy.notes = reader.metadata();
-  const auto taken = [&](const char* key) {
-    const auto found = policy.notes.find(key);
-    if (found == policy.notes.end()) reader.refuse(fmt::format("metadata '{}' is missing", key));
-    std::string value = std::move(found->second);
-    policy.notes.erase(found);
-    return value;
-  };
-  if (const auto format = taken("format"); format != policy_format)
+  if (const auto format = reader.take_word("format"); format != policy_format)
     reader.refuse(fmt::format("format '{}': this Folk reads {}", excerpt(format), policy_format));
-  policy.scenario = taken("scenario");
-  const auto side = taken("side");
-  const auto squash = taken("squash");
+  policy.scenario = reader.take_word("scenario");
+  const auto side = reader.take_word("side");
+  const auto squash = reader.take_word("squash");
+  policy.notes = reader.metadata();
   if (side != "predators" && side != "prey")
     reader.refuse(fmt::format("side '{}': expected predators or prey", excerpt(side)));
   if (squash != "tanh" && squash != "clamp")
@@ -169,11 +99,13 @@ Policy folk_policy(Reader& reader) {
     reader.refuse(error.what());
   }
   for (std::size_t agent = 0; agent == 0 || reader.has(fmt::format("agent{}.fc1.weight", agent)); ++agent) {
-    policy.networks.push_back(take_network(reader, fmt::format("agent{}.", agent)));
+    const std::string prefix = fmt::format("agent{}.", agent);
+    policy.networks.push_back(take_network(reader, prefix));
     policy.networks.back().squash = squash == "tanh" ? Squash::tanh : Squash::clamp;
     if (policy.networks.back().shape.inputs() != inputs)
       reader.refuse(fmt::format("agent{} has {} inputs: the {} of {} observe {} numbers", agent,
                                 policy.networks.back().shape.inputs(), side, policy.scenario, inputs));
+    policy.networks.back().normalisation = take_normalisation(reader, inputs, normalisation_names(prefix));
   }
   const std::size_t most = policy.side == Side::prey ? 1 : Scenario::named(policy.scenario).predators();
   if (policy.networks.size() != 1 && policy.networks.size() != most)
@@ -207,7 +139,7 @@ private:
 }  // namespace
 
 Policy parse_policy(std::string_view bytes, const std::string& source) {
-  Reader reader(sct::parse_safetensors(bytes, source), source);
+  PolicyReader reader(bytes, source);
   Policy policy = reader.metadata().contains("format") ? folk_policy(reader) : published_policy(reader);
   reader.require_nothing_left();
   return policy;
@@ -224,22 +156,16 @@ std::string policy_bytes(const Policy& policy) {
   metadata["scenario"] = policy.scenario;
   metadata["side"] = to_string(policy.side);
   metadata["squash"] = policy.networks.front().squash == Squash::tanh ? "tanh" : "clamp";
-  std::vector<sct::TensorToStore> tensors;
-  std::string data;
+  PolicyWriter writer;
   for (std::size_t agent = 0; agent < policy.networks.size(); ++agent) {
     const auto& network = policy.networks[agent];
-    if (network.normalisation || network.squash != policy.networks.front().squash)
-      throw UsageError("a policy with a normalisation, or of two kinds of actions, has no place in this format");
-    const auto& widths = network.shape.widths();
-    for (std::size_t layer = 1; layer < widths.size(); ++layer) {
-      const std::string name = fmt::format("agent{}.fc{}.", agent, layer);
-      tensors.push_back({name + "weight", {widths[layer], widths[layer - 1]}, widths[layer] * widths[layer - 1] * 4});
-      tensors.push_back({name + "bias", {widths[layer]}, widths[layer] * 4});
-    }
-    for (const float number : network.parameters)  // weight and bias of each layer follow each other there too
-      sct::append_little_endian(data, std::bit_cast<std::uint32_t>(number));
+    if (network.squash != policy.networks.front().squash)
+      throw UsageError("a policy of two kinds of actions has no place in this format");
+    const std::string prefix = fmt::format("agent{}.", agent);
+    if (network.normalisation) add_normalisation(writer, prefix, network.shape.inputs(), *network.normalisation);
+    writer.add(prefix, network.shape, network.parameters);
   }
-  std::string bytes = sct::safetensors_header(metadata, tensors) + data;
+  std::string bytes = writer.bytes(metadata);
   try {
     parse_policy(bytes, "policy");
   } catch (const InputFileError& error) {
@@ -257,14 +183,14 @@ Controller policy_controller(std::string name, Policy policy, Side side, const S
   if (policy.side != side)
     throw UsageError(fmt::format("{}: a policy of the {}, not of the {}", excerpt(name, 1000), to_string(policy.side),
                                  to_string(side)));
-  return {name, [name, networks = std::move(policy.networks)](const Layout& layout, std::size_t agent) {
+  return {name, each([name, networks = std::move(policy.networks)](const Layout& layout, std::size_t agent) {
             const std::size_t which = networks.size() == 1 ? 0 : agent;
             const std::size_t observed = layout.scenario().observation_size(agent);
             if (which >= networks.size() || networks[which].shape.inputs() != observed)
               throw UsageError(fmt::format("{}: has no network for agent {}, who observes {} numbers",
                                            excerpt(name, 1000), agent, observed));
             return std::make_unique<NetworkPlayer>(networks[which]);
-          }};
+          })};
 }
 
 Policy untrained_policy(const Scenario& scenario, Side side, std::uint64_t seed, std::size_t hidden) {

@@ -3,8 +3,10 @@
 //
 // Folk's: metadata "format": "folk-mpe-1", "scenario", "side" ("predators" or "prey"), "squash" ("tanh" or "clamp") and
 // notes on how it was made; tensors agentI.fcK.weight [outputs, inputs] and agentI.fcK.bias [outputs] for each agent I
-// of the side (0, 1, 2; the prey is 0) and layer K = 1, 2, ... The published program's: in_fn.weight, in_fn.bias,
-// in_fn.running_mean, in_fn.running_var [inputs], fc1, fc2, fc3; the widths tell what it is for, predators share it.
+// of the side (0, 1, 2; the prey is 0) and layer K = 1, 2, ... An agent that normalises what it observes has
+// agentI.norm.weight, .bias, .mean and .variance [inputs] too: (x - mean) / sqrt(variance + 1e-5) * weight + bias. The
+// published program's: in_fn.weight, in_fn.bias, in_fn.running_mean, in_fn.running_var [inputs], fc1, fc2, fc3; the
+// widths tell what it is for, predators share it.
 
 #include <folk/mpe/network/policy_network.h>
 #include <folk/mpe/players/player.h>
@@ -32,7 +34,7 @@ struct Policy {
 
 /// Reads the bytes of a policy file; `source` (a path) is what messages call them. Throws InputFileError "source: what;
 /// mend" for what is no such file, other widths than any scenario has, tensors that are missing, too many or of another
-/// shape or type, and numbers that are not finite.
+/// shape or type, numbers that are not finite and variances below 0.
 Policy parse_policy(std::string_view bytes, const std::string& source);
 Policy read_policy(const std::filesystem::path& path);
 

@@ -79,11 +79,11 @@ private:
 };
 
 Controller pursuit(std::string name, double gain, double lead, double brake) {
-  return {std::move(name), [=](const Layout& layout, std::size_t agent) -> std::unique_ptr<Player> {
+  return {std::move(name), each([=](const Layout& layout, std::size_t agent) -> std::unique_ptr<Player> {
             if (agent == layout.scenario().prey())
               throw UsageError("pursuit is for predators: the prey cannot chase itself");
             return std::make_unique<Pursuit>(gain, lead, brake);
-          }};
+          })};
 }
 
 class Blend final : public Player {
@@ -124,12 +124,12 @@ private:
 }  // namespace
 
 Controller still_player() {
-  return {"still", [](const Layout&, std::size_t) { return std::make_unique<Still>(); }};
+  return {"still", each([](const Layout&, std::size_t) { return std::make_unique<Still>(); })};
 }
 
 Controller random_player(RandomRule rule) {
   return {rule == RandomRule::uniform ? "random" : "random(program)",
-          [rule](const Layout&, std::size_t) { return std::make_unique<Random>(rule); }};
+          each([rule](const Layout&, std::size_t) { return std::make_unique<Random>(rule); })};
 }
 
 Controller lead_pursuit() { return pursuit("lead_pursuit", 3, 0.2, 0.15); }
@@ -144,8 +144,10 @@ Controller blend(double p, Controller one, Coin coin) {
   std::string name = fmt::format("blend({};{}{})", p, one.name, coin == Coin::batch ? ";shared" : "");
   const bool one_by_one = one.one_by_one;
   return {std::move(name),
-          [=, one = std::move(one)](const Layout& layout, std::size_t agent) -> std::unique_ptr<Player> {
-            return std::make_unique<Blend>(p, one.player(layout, agent), coin);
+          [=, one = std::move(one)](const Layout& layout, Side side) {
+            Team team = one.team(layout, side);
+            for (auto& player : team) player = std::make_unique<Blend>(p, std::move(player), coin);
+            return team;
           },
           one_by_one};
 }

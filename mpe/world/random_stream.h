@@ -18,7 +18,12 @@ enum class RandomUse : std::uint64_t {
   exploration,
   replay,
   target_noise,
-  data_noise
+  data_noise,
+  offline_batch = 3000,  ///< which rows or windows a step learns from
+  offline_dropout,
+  latent,      ///< of a variational autoencoder
+  candidates,  ///< actions among which the best is sought
+  policy       ///< of a policy that draws its actions
 };
 
 /// Random numbers of one use in one step of one episode. `seed` and the episode's number are those of the batch.

@@ -3,8 +3,8 @@
 // an array end at its size; the mutator here writes over bytes and keeps it.
 
 #include <folk/games/random.h>
-#include <folk/mpe/offline/data_figures.h>
-#include <folk/mpe/offline/data_set.h>
+#include <folk/mpe/data/data_figures.h>
+#include <folk/mpe/data/data_set.h>
 #include <folk/sct/npy_file.h>
 
 #include <cmath>

@@ -8,7 +8,7 @@ from pathlib import Path
 # Each library may use itself and those to its left.
 LIBRARIES = ["games", "strategies", "analysis", "sct", "mpe"]
 # The wings of a library: each may use itself and those of earlier lines, not its neighbours on the same line.
-WINGS = {"mpe": [["world"], ["network"], ["players"], ["evaluation"], ["online", "offline", "pictures"]]}
+WINGS = {"mpe": [["world"], ["network"], ["players"], ["evaluation"], ["online", "data", "pictures"], ["offline"], ["study"]]}
 # Folders that may include any library, but no other folder of this list except their own.
 LEAVES = ["tools", "tests", "bench", "examples"]
 NAMELESS = {"util", "utils", "utility", "utilities", "common", "core", "misc", "helpers"}

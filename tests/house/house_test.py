@@ -22,7 +22,7 @@ IN_ORDER = {
     "mpe/world/batch.h": HEADER,
     "mpe/players/player.h": HEADER + "#include <folk/mpe/world/batch.h>\n",
     "mpe/online/learner.h": HEADER + "#include <folk/mpe/players/player.h>\n",
-    "mpe/offline/data_set.h": HEADER,
+    "mpe/data/data_set.h": HEADER,
     "tools/program.h": HEADER + "#include <folk/analysis/tournament.h>\n",
     "tools/main.cpp": '#include <folk/analysis/tournament.h>\n#include "program.h"\nint main() { std::cout << 1; }\n',
     "build/games/core/wrong.h": "#include <folk/tools/program.h>\n",
@@ -55,8 +55,8 @@ class HouseTest(unittest.TestCase):
     def test_an_include_against_the_arrows_between_wings(self):
         self.assert_one({"mpe/world/wrong.cpp": "#include <folk/mpe/players/player.h>\n"},
                         "mpe/world/wrong.cpp:1: world includes players: the arrows run world <- network")
-        self.assert_one({"mpe/online/wrong.cpp": "\n#include <folk/mpe/offline/data_set.h>\n"},
-                        "mpe/online/wrong.cpp:2: online includes offline")
+        self.assert_one({"mpe/online/wrong.cpp": "\n#include <folk/mpe/data/data_set.h>\n"},
+                        "mpe/online/wrong.cpp:2: online includes data")
 
     def test_a_file_outside_the_wings(self):
         self.assert_one({"mpe/wrong.cpp": ""}, "mpe/wrong.cpp: mpe has the wings")

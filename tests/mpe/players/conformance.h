@@ -11,7 +11,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <vector>
 
 namespace folk::mpe::testing {
@@ -25,11 +24,9 @@ public:
   Table(const Layout& layout, const Controller& controller, Side side)
       : layout_(layout),
         side_(side),
-        batch_(layout.scenario(), controller.one_by_one ? 1 : block_lanes) {
-    const Controller others = random_player();
-    for (std::size_t agent = 0; agent < layout.agents(); ++agent)
-      players_.push_back((side_of(layout, agent) == side ? controller : others).player(layout, agent));
-  }
+        batch_(layout.scenario(), controller.one_by_one ? 1 : block_lanes),
+        players_((side == Side::prey ? Cast{random_player(), controller} : Cast{controller, random_player()})
+                     .players(layout)) {}
 
   /// The deeds in `lanes` episodes from `first` on.
   std::vector<Deeds> play(std::uint64_t seed, std::uint64_t first, std::size_t lanes) {
@@ -49,8 +46,11 @@ public:
 private:
   void act(const Block& block, std::size_t agent, const Moment& moment, std::vector<Deeds>& deeds) {
     const auto [x, y] = action_rows(block, agent);
-    std::fill_n(x, block.lanes, std::numeric_limits<double>::quiet_NaN());
-    std::fill_n(y, block.lanes, std::numeric_limits<double>::quiet_NaN());
+    // The first to be asked may look at what all did in the step before.
+    if (agent > 0 || moment.step == 0) {
+      std::fill_n(x, block.lanes, std::numeric_limits<double>::quiet_NaN());
+      std::fill_n(y, block.lanes, std::numeric_limits<double>::quiet_NaN());
+    }
     const auto before = all_but_actions_of(block, agent);
     players_[agent]->act(layout_, block, agent, moment);
     EXPECT_EQ(all_but_actions_of(block, agent), before) << "agent " << agent << " wrote what is not its own";
@@ -78,7 +78,7 @@ private:
   const Layout& layout_;
   Side side_;
   Batch batch_;
-  std::vector<std::unique_ptr<Player>> players_;
+  Team players_;
 };
 
 /// The deeds of a few episodes, each in a block of its own.

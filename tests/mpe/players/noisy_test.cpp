@@ -81,7 +81,8 @@ TEST(Noisy, TellsThePlayerInsideOfEachStart) {
     int& count_;
   };
   int count = 0;
-  const Controller starts{"starts", [&](const Layout&, std::size_t) { return std::make_unique<Starts>(count); }, true};
+  const Controller starts{"starts", each([&](const Layout&, std::size_t) { return std::make_unique<Starts>(count); }),
+                          true};
   const Controller disturbed = noisy(starts, 0.2);
   EXPECT_TRUE(disturbed.one_by_one);
   EXPECT_EQ(disturbed.name, "starts with noise 0.2");

@@ -40,6 +40,26 @@ SafetensorsDraft published_prey() {
   return draft;
 }
 
+/// Of so many inputs, no two numbers the same.
+InputNormalisation some_normalisation(std::size_t inputs) {
+  InputNormalisation normalisation;
+  for (std::size_t k = 0; k < inputs; ++k) {
+    const float x = static_cast<float>(k);
+    normalisation.weight.push_back(1 + x / 100);
+    normalisation.bias.push_back(x / 10 - 3);
+    normalisation.mean.push_back(-x);
+    normalisation.variance.push_back(x * x);  // the first 0
+  }
+  return normalisation;
+}
+
+/// The second of them normalises.
+Policy normalising_predators() {
+  auto policy = predators_of_tag();
+  policy.networks[1].normalisation = some_normalisation(16);
+  return policy;
+}
+
 void expect_same(const Policy& one, const Policy& other) {
   EXPECT_EQ(one.scenario, other.scenario);
   EXPECT_EQ(one.side, other.side);
@@ -49,7 +69,15 @@ void expect_same(const Policy& one, const Policy& other) {
     EXPECT_EQ(one.networks[i].shape, other.networks[i].shape);
     EXPECT_EQ(one.networks[i].parameters, other.networks[i].parameters);
     EXPECT_EQ(one.networks[i].squash, other.networks[i].squash);
-    EXPECT_EQ(one.networks[i].normalisation.has_value(), other.networks[i].normalisation.has_value());
+    const auto& here = one.networks[i].normalisation;
+    const auto& there = other.networks[i].normalisation;
+    ASSERT_EQ(here.has_value(), there.has_value());
+    if (!here) continue;
+    EXPECT_EQ(here->weight, there->weight);
+    EXPECT_EQ(here->bias, there->bias);
+    EXPECT_EQ(here->mean, there->mean);
+    EXPECT_EQ(here->variance, there->variance);
+    EXPECT_EQ(here->epsilon, there->epsilon);
   }
 }
 
@@ -69,6 +97,7 @@ RC_GTEST_PROP(PolicyFile, WhatIsWrittenIsReadAgain, ()) {
     network.shape = MlpShape(widths);
     network.parameters = initial_parameters(network.shape, 7, 1);
     network.squash = squash;
+    if (*rc::gen::arbitrary<bool>()) network.normalisation = some_normalisation(network.shape.inputs());
   }
   policy.notes["made by"] = "a \"test\", \xC3\xA9";
   const auto bytes = policy_bytes(policy);
@@ -100,6 +129,22 @@ TEST(PolicyFile, IsAsItsHeaderDescribesIt) {
   std::memcpy(&first, draft.tensors.at("agent1.fc2.weight").data.data(), sizeof first);
   const auto network = predators_of_tag().networks[1];
   EXPECT_EQ(first, network.parameters[network.shape.weight(1)]);
+}
+
+TEST(PolicyFile, HasTheNormalisationOfAgentsThatHaveOne) {
+  const auto draft = SafetensorsDraft::of(policy_bytes(normalising_predators()));
+  EXPECT_EQ(draft.tensors.size(), 18U + 4U);
+  const auto normalisation = some_normalisation(16);
+  for (const auto& [name, numbers] :
+       {std::pair{"weight", normalisation.weight}, std::pair{"bias", normalisation.bias},
+        std::pair{"mean", normalisation.mean}, std::pair{"variance", normalisation.variance}}) {
+    const auto& tensor = draft.tensors.at(fmt::format("agent1.norm.{}", name));
+    EXPECT_EQ(tensor.shape, (std::vector<std::uint64_t>{16}));
+    std::vector<float> there(16);
+    ASSERT_EQ(tensor.data.size(), 64U);
+    std::memcpy(there.data(), tensor.data.data(), 64);
+    EXPECT_EQ(there, numbers);
+  }
 }
 
 TEST(PublishedPolicy, IsReadWithItsNormalisation) {
@@ -161,6 +206,14 @@ void expect_refusal(const SafetensorsDraft& draft, const std::string& part) {
 /// What is said of a file of Folk's own after a change.
 void expect_refusal_of_own(const std::function<void(SafetensorsDraft&)>& change, const std::string& part) {
   auto draft = SafetensorsDraft::of(policy_bytes(predators_of_tag()));
+  parse_policy(draft.bytes(), "unchanged");
+  change(draft);
+  expect_refusal(draft, part);
+}
+
+/// The same of one whose second agent normalises.
+void expect_refusal_of_normalising(const std::function<void(SafetensorsDraft&)>& change, const std::string& part) {
+  auto draft = SafetensorsDraft::of(policy_bytes(normalising_predators()));
   parse_policy(draft.bytes(), "unchanged");
   change(draft);
   expect_refusal(draft, part);
@@ -337,6 +390,39 @@ TEST(PolicyRefusal, OfOtherMetadata) {
   expect_refusal_of_own([](SafetensorsDraft& d) { d.metadata.erase("format"); }, "tensor 'fc1.weight' is missing");
 }
 
+TEST(PolicyRefusal, OfNormalisationsThatAreNone) {
+  for (const char* name : {"agent1.norm.bias", "agent1.norm.mean", "agent1.norm.variance"})
+    expect_refusal_of_normalising([&](SafetensorsDraft& d) { d.tensors.erase(name); },
+                                  fmt::format("tensor '{}' is missing", name));
+  expect_refusal_of_normalising([](SafetensorsDraft& d) { d.tensors.erase("agent1.norm.weight"); },
+                                "tensor 'agent1.norm.bias' has no place");
+  expect_refusal_of_own([](SafetensorsDraft& d) { d.put("agent0.norm.bias", {16}); },
+                        "tensor 'agent0.norm.bias' has no place");
+  expect_refusal_of_own([](SafetensorsDraft& d) { d.put("agent3.norm.weight", {16}); },
+                        "tensor 'agent3.norm.weight' has no place");
+  expect_refusal_of_own([](SafetensorsDraft& d) { d.put("norm.weight", {16}); }, "tensor 'norm.weight' has no place");
+  for (const char* part : {"weight", "bias", "mean", "variance"}) {
+    const std::string name = fmt::format("agent1.norm.{}", part);
+    expect_refusal_of_normalising([&](SafetensorsDraft& d) { d.put(name, {15}); },
+                                  fmt::format("tensor '{}' has shape (15): expected (16)", name));
+    expect_refusal_of_normalising(
+        [&](SafetensorsDraft& d) {
+          d.put(name, {1, 16});
+        },
+        fmt::format("tensor '{}' has shape (1, 16): expected (16)", name));
+    expect_refusal_of_normalising([&](SafetensorsDraft& d) { d.tensors[name].dtype = "F16"; },
+                                  fmt::format("tensor '{}' has type F16: expected F32", name));
+    for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()})
+      expect_refusal_of_normalising([&](SafetensorsDraft& d) { d.set_number(name, 15, bad); },
+                                    fmt::format("tensor '{}' holds a number that is not finite", name));
+  }
+  expect_refusal_of_normalising([](SafetensorsDraft& d) { d.set_number("agent1.norm.variance", 15, -1e-9F); },
+                                "tensor 'agent1.norm.variance' holds a number below 0");
+  // Other widths are told by the network, whose they are.
+  expect_refusal_of_normalising([](SafetensorsDraft& d) { d.metadata["scenario"] = "simple_world"; },
+                                "agent0 has 16 inputs");
+}
+
 // ---- what cannot be written --------------------------------------------------------------------------------------
 
 TEST(PolicyToWrite, MustBeOneThatCanBeRead) {
@@ -346,7 +432,6 @@ TEST(PolicyToWrite, MustBeOneThatCanBeRead) {
     expect_error<UsageError>([&] { policy_bytes(policy); }, part);
   };
   refuse([](Policy& p) { p.networks.clear(); }, "a policy without networks");
-  refuse([](Policy& p) { p.networks[1].normalisation.emplace(); }, "a normalisation");
   refuse([](Policy& p) { p.networks[2].squash = Squash::clamp; }, "two kinds of actions");
   refuse([](Policy& p) { p.networks[1].parameters[3] = NAN; }, "not finite");
   refuse([](Policy& p) { p.networks[1].parameters[3] = -INFINITY; }, "not finite");
@@ -356,6 +441,21 @@ TEST(PolicyToWrite, MustBeOneThatCanBeRead) {
   refuse([](Policy& p) { p.networks.pop_back(); }, again + "2 networks");
   refuse([](Policy& p) { p.networks[0].parameters.pop_back(); }, again + "truncated");
   refuse([](Policy& p) { p.networks[0].parameters.push_back(0); }, again + "4 bytes too many");
+  refuse([](Policy& p) { p.networks[1].normalisation.emplace(); }, again + "truncated");
+  const auto refuse_normalisation = [&](const std::function<void(InputNormalisation&)>& change,
+                                        const std::string& part) {
+    refuse(
+        [&](Policy& p) {
+          p.networks[1].normalisation = some_normalisation(16);
+          change(*p.networks[1].normalisation);
+        },
+        part);
+  };
+  refuse_normalisation([](auto& n) { n.epsilon = 1e-3; }, "an epsilon of 0.001");
+  refuse_normalisation([](auto& n) { n.variance[2] = -1; },
+                       again + "tensor 'agent1.norm.variance' holds a number below");
+  refuse_normalisation([](auto& n) { n.mean[2] = NAN; }, "not finite");
+  refuse_normalisation([](auto& n) { n.bias.push_back(1); }, again + "4 bytes too many");
 }
 
 TEST(PolicyToWrite, LeavesTheFileThereWasWhenItCannot) {
@@ -382,7 +482,7 @@ TEST(PolicyController, IsForOneSideAndScenario) {
   larger.entities.insert(larger.entities.begin(), larger.entities.front());
   const auto player = policy_controller("p", predators_of_tag(), Side::predators, larger);
   expect_error<UsageError>([&] { player.player(Layout(larger), 0); }, "p: has no network for agent 0, who observes 18");
-  expect_error<UsageError>([&] { player.player(Layout(larger), 3); }, "p: has no network for agent 3");
+  expect_error<UsageError>([&] { player.player(Layout(larger), 3); }, "p: has no network for agent 0, who observes 18");
   expect_error<UsageError>(
       [&] {
         policy_controller("p", Policy{"simple_tag", Side::predators, {}, {}}, Side::predators, tag)

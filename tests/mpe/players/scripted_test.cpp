@@ -246,7 +246,8 @@ TEST(Blend, TellsTheOneOfEachStartAndSaysWhatItIs) {
     int& starts_;
   };
   int starts = 0;
-  const Controller one{"one", [&](const Layout&, std::size_t) { return std::make_unique<Counting>(starts); }, true};
+  const Controller one{"one", each([&](const Layout&, std::size_t) { return std::make_unique<Counting>(starts); }),
+                       true};
   const auto player = blend(0.25, one).player(layout(), 3);
   Question question;
   for (int i = 0; i < 3; ++i) player->start(layout(), question.batch.block(0), 3, {});

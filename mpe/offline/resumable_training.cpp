@@ -1,0 +1,38 @@
+#include <folk/mpe/offline/resumable_training.h>
+
+#include <algorithm>
+
+namespace folk::mpe {
+
+bool resume(OfflineTraining& training, const TrainingWatch& watch) {
+  if (watch.folder == nullptr) return false;
+  return watch.folder->read_newest(
+      [&](std::string_view bytes, const std::string& source) { training.restore(bytes, source); },
+      [&](const std::string& fault) {
+        if (watch.note) watch.note(fault);
+      });
+}
+
+bool train(OfflineTraining& training, const TrainingWatch& watch) {
+  const std::uint64_t first = training.steps();
+  std::uint64_t saved = first;
+  const auto save = [&] {
+    if (watch.folder != nullptr && saved != training.steps())
+      watch.folder->write_bytes(training.steps(), training.checkpoint());
+    saved = training.steps();
+  };
+  const double all = static_cast<double>(std::max<std::uint64_t>(1, training.last_step() - first));
+  while (!training.finished()) {
+    if (training.steps() - saved >= watch.checkpoint_every) save();
+    if (watch.interrupted && watch.interrupted()) {
+      save();
+      return false;
+    }
+    training.step();
+    if (watch.progress) watch.progress(static_cast<double>(training.steps() - first) / all);
+  }
+  save();
+  return true;
+}
+
+}  // namespace folk::mpe

@@ -1,0 +1,29 @@
+#pragma once
+// An offline training run with a folder in which it keeps itself.
+
+#include <folk/mpe/offline/offline_training.h>
+#include <folk/sct/checkpoint_files.h>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace folk::mpe {
+
+/// How a run is watched over.
+struct TrainingWatch {
+  sct::CheckpointFiles* folder = nullptr;                  ///< where it is kept; nowhere
+  std::uint64_t checkpoint_every = 1000;                   ///< steps
+  std::function<bool()> interrupted = nullptr;             ///< asked between steps; true ends the work
+  std::function<void(double)> progress = nullptr;          ///< told the share of this run's steps that is done
+  std::function<void(const std::string&)> note = nullptr;  ///< told of checkpoints that could not be read
+};
+
+/// Goes on from the newest checkpoint in the folder. False when there is none. Throws what OfflineTraining::restore
+/// does.
+bool resume(OfflineTraining& training, const TrainingWatch& watch);
+
+/// Trains to the end, or until interrupted: false then. Either way the folder has the run as it stands.
+bool train(OfflineTraining& training, const TrainingWatch& watch);
+
+}  // namespace folk::mpe
