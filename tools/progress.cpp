@@ -65,4 +65,10 @@ void Progress::operator()(double fraction) {
   drawn_ = true;
 }
 
+void Progress::make_way() {
+  const std::scoped_lock lock(mutex_);
+  if (drawn_) show("\r\x1b[K");
+  drawn_ = false;
+}
+
 }  // namespace folk::tools

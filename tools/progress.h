@@ -35,6 +35,9 @@ public:
   /// The share of the work that is done, 0 to 1.
   void operator()(double fraction);
 
+  /// Makes way for a line that somebody is about to write; the next report draws the bar again.
+  void make_way();
+
 private:
   using Clock = std::chrono::steady_clock;
 

@@ -166,7 +166,7 @@ class MpeTrainTest(unittest.TestCase):
     def test_without_a_verb(self):
         run = subprocess.run([BIN / "mpe-train"], capture_output=True, text=True)
         self.assertEqual((run.returncode, run.stderr),
-                         (2, "mpe-train: what to do? give online, curve, collect or inspect; see mpe-train --help\n"))
+                         (2, "mpe-train: what to do? give online, curve, collect, inspect, offline or study; see mpe-train --help\n"))
         run = subprocess.run([BIN / "mpe-train", "fly"], capture_output=True, text=True)
         self.assertEqual(run.returncode, 2)
 

@@ -1,0 +1,228 @@
+#include <folk/analysis/signature.h>
+#include <folk/games/error.h>
+#include <folk/games/text_file.h>
+#include <folk/mpe/data/data_figures.h>
+#include <folk/mpe/offline/resumable_training.h>
+#include <folk/mpe/players/any_policy.h>
+#include <folk/mpe/players/names.h>
+#include <folk/mpe/study/study_job.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <system_error>
+#include <utility>
+
+namespace folk::mpe {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Of a job's time its training takes this share; the rest is its examination.
+constexpr double training_share = 0.75;
+
+/// Thrown through the work when it is interrupted, and caught by run_job.
+struct Interrupted {};
+
+Mean returns_of(std::span<const EpisodeScore> scores) { return mean_of(summarise(scores).predators); }
+
+RightBeliefs right_beliefs(const BeliefSummary& summary) {
+  RightBeliefs right;
+  for (std::size_t r = 0; r < belief_radii.size(); ++r) right.right[r] = mean_of(summary.right[r]);
+  right.near = mean_of(summary.near);
+  right.distance = mean_of(summary.distance);
+  return right;
+}
+
+/// The name of a player that learns nothing.
+std::string spec_of(const StudyJob& job) {
+  if (job.learner == "random_play") return "random";
+  if (job.learner == "lead_pursuit") return "lead_pursuit";
+  return job.data_prey == "maddpg" ? "expert_maddpg" : job.level;
+}
+
+/// Examines players and transformers against one prey after another.
+class Examination {
+public:
+  Examination(const StudyJob& job, const StudySettings& settings, const StudyFolder& folder, const JobWatch& watch)
+      : job_(job),
+        settings_(settings),
+        watch_(watch),
+        layout_(Scenario::named(job.scenario)) {
+    for (const auto& name : study_preys())
+      preys_.push_back(controller(name, Side::prey, layout_.scenario(), folder.players()));
+  }
+
+  std::vector<PreyRecord> of(const Controller& predators) {
+    std::vector<PreyRecord> records;
+    for (std::size_t i = 0; i < preys_.size(); ++i) {
+      PreyRecord record;
+      record.prey = study_preys()[i];
+      record.predators = returns_of(score_episodes(layout_, {predators, preys_[i]}, report_plan(), ticking()));
+      records.push_back(std::move(record));
+      tell(i + 1);
+    }
+    return records;
+  }
+
+  std::vector<PreyRecord> of(const std::shared_ptr<const TransformerMind>& mind) {
+    // What the return should be that is asked for, one may learn from the data's own prey without meeting another.
+    const auto known = asked(mind, data_prey());
+    const double data_target = best_target(known);
+    std::vector<PreyRecord> records;
+    for (std::size_t i = 0; i < preys_.size(); ++i) {
+      records.push_back(of(mind, i, i == data_prey() ? known : asked(mind, i), data_target));
+      tell(i + 1);
+    }
+    return records;
+  }
+
+private:
+  EpisodePlan report_plan() const { return {report_seed + job_.seed, 0, settings_.episodes, 1}; }
+
+  std::size_t data_prey() const {
+    const auto& names = study_preys();
+    return static_cast<std::size_t>(std::find(names.begin(), names.end(), job_.data_prey) - names.begin());
+  }
+
+  /// Stops the play where the study is interrupted.
+  std::function<void(double)> ticking() const {
+    return [this](double) {
+      if (watch_.interrupted && watch_.interrupted()) throw Interrupted();
+    };
+  }
+
+  void tell(std::size_t preys) const {
+    const double share = static_cast<double>(preys) / static_cast<double>(preys_.size());
+    if (watch_.progress) watch_.progress(job_.learns() ? training_share + (1 - training_share) * share : share);
+  }
+
+  TransformerScores report(const std::shared_ptr<const TransformerMind>& mind, std::size_t prey, double target) const {
+    TransformerPlay how;
+    how.target = target;
+    return score_transformer(layout_, mind, preys_[prey], report_plan(), how, ticking());
+  }
+
+  std::vector<TargetScore> asked(const std::shared_ptr<const TransformerMind>& mind, std::size_t prey) const {
+    return score_targets(layout_, mind, preys_[prey], {selection_seed + job_.seed, 0, settings_.selection_episodes, 1},
+                         target_grid(job_), ticking());
+  }
+
+  PreyRecord of(const std::shared_ptr<const TransformerMind>& mind, std::size_t prey,
+                const std::vector<TargetScore>& rows, double data_target) const {
+    PreyRecord record;
+    record.prey = study_preys()[prey];
+    for (const auto& [target, predators, beliefs] : rows)
+      record.asked.push_back(
+          {target, mean_of(predators), beliefs ? std::optional<RightBeliefs>(right_beliefs(*beliefs)) : std::nullopt});
+    record.target = best_target(rows);
+    const auto scores = report(mind, prey, *record.target);
+    record.predators = returns_of(scores.play);
+    if (mind->believes()) record.beliefs = right_beliefs(summarise(std::span<const EpisodeBeliefs>(scores.beliefs)));
+    record.data_target = data_target;
+    record.data_target_predators =
+        data_target == *record.target ? record.predators : returns_of(report(mind, prey, data_target).play);
+    const auto& table = table_preys();
+    if (!mind->acts_on_belief() || std::find(table.begin(), table.end(), record.prey) == table.end()) return record;
+    TransformerPlay how;
+    how.target = *record.target;
+    for (const auto& forced :
+         force_beliefs(layout_, mind, preys_[prey],
+                       {intervention_seed + job_.seed, 0, settings_.intervention_episodes, 1}, how, ticking()))
+      record.forced.push_back({std::string(to_string(forced.forcing)), mean_of(forced.predators),
+                               mean_of(forced.difference), mean_of(forced.change)});
+    return record;
+  }
+
+  const StudyJob& job_;
+  const StudySettings& settings_;
+  const JobWatch& watch_;
+  Layout layout_;
+  std::vector<Controller> preys_;
+};
+
+std::string signature_of(std::string_view bytes) {
+  Signature signature;
+  signature.add(bytes);
+  return fmt::format("{:016x}", signature.value());
+}
+
+/// The bytes of a job's policy file; its training goes on where an earlier run was cut off.
+std::string trained_policy(const StudyJob& job, const StudySettings& settings, StudyFolder& folder,
+                           const JobWatch& watch, StudyRecord& record) {
+  const auto data = folder.data(job, settings, watch.interrupted);
+  if (!data) throw Interrupted();
+  const auto choice = choice_of(job, settings);
+  auto learner = make_learner(*data, choice);
+  record.training = run_description(*data, choice, *learner);
+  record.data_return = data_figures(*data).predator.mean;
+  OfflineTraining training(std::move(learner), record.training, learner_steps(*data, choice));
+  record.steps = training.last_step();
+  {
+    sct::CheckpointFiles checkpoints(folder.run_folder(job));
+    TrainingWatch rules;
+    rules.folder = &checkpoints;
+    rules.checkpoint_every = std::max<std::uint64_t>(1, training.last_step() / 20);
+    rules.interrupted = watch.interrupted;
+    rules.note = watch.note;
+    resume(training, rules);
+    const double begun = static_cast<double>(training.steps()) / static_cast<double>(training.last_step());
+    rules.progress = [&](double share) {
+      if (watch.progress) watch.progress(training_share * (begun + (1 - begun) * share));
+    };
+    if (!train(training, rules)) throw Interrupted();
+  }
+  const std::map<std::string, std::string> notes{{"training", record.training},
+                                                 {"learner", job.learner},
+                                                 {"budget", record.budget},
+                                                 {"steps", fmt::to_string(record.steps)},
+                                                 {"folk", folder.folk_version()}};
+  std::string bytes = training.learner().policy(notes);
+  write_file(folder.policy_file(job), bytes);
+  return bytes;
+}
+
+}  // namespace
+
+std::optional<StudyRecord> run_job(const StudyJob& job, const StudySettings& settings, StudyFolder& folder,
+                                   const JobWatch& watch) {
+  try {
+    StudyRecord record;
+    record.job = job;
+    record.budget = to_string(settings.budget);
+    record.episodes = settings.episodes;
+    Examination examine(job, settings, folder, watch);
+    const Scenario scenario = Scenario::named(job.scenario);
+    if (job.learns()) {
+      const std::string bytes = trained_policy(job, settings, folder, watch, record);
+      record.policy = signature_of(bytes);
+      const std::string source = folder.policy_file(job).string();
+      if (job.transformer())
+        record.preys = examine.of(std::make_shared<const TransformerMind>(parse_transformer_policy(bytes, source)));
+      else
+        record.preys = examine.of(any_policy_controller(job.learner, bytes, source, Side::predators, scenario));
+    } else {
+      record.preys = examine.of(controller(spec_of(job), Side::predators, scenario, folder.players()));
+    }
+    write_file(folder.record_file(job), record_text(record));
+    std::error_code ignored;
+    fs::remove_all(folder.run_folder(job), ignored);
+    return record;
+  } catch (const Interrupted&) {
+    return std::nullopt;
+  }
+}
+
+double job_cost(const StudyJob& job, const StudySettings& settings) {
+  if (!job.learns()) return 5;
+  if (settings.budget == Budget::smoke) return 5;
+  const bool paper = settings.budget == Budget::paper;
+  if (job.learner == "omar") return job.scenario == "simple_tag" ? 160 : 90;
+  if (job.learner == "bc") return paper ? 170 : 25;
+  if (job.learner == "ma-bcq") return paper ? 100'000 : 260;
+  const double transformer = !paper ? 430 : job.level == "random" ? 34'000 : 3'700;
+  return job.learner == "sct-selfconf" ? 2 * transformer : transformer;
+}
+
+}  // namespace folk::mpe
