@@ -7,7 +7,9 @@
 #include <folk/mpe/online/learner.h>
 #include <folk/mpe/players/policy_file.h>
 #include <folk/mpe/players/scripted.h>
+#include <folk/mpe/players/transformer_player.h>
 #include <folk/mpe/world/batch.h>
+#include <folk/sct/initial_parameters.h>
 
 #include <algorithm>
 #include <array>
@@ -246,6 +248,27 @@ void mpe_update(benchmark::State& state) {
   }
 }
 BENCHMARK(mpe_update)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond)->MinTime(3);
+
+/// 100 episodes of a transformer at the paper's setting (hidden 128, 3 layers, context 20), beliefs and actions, from
+/// reset to end: keys and values are kept for the first 20 steps, then the window slides and is thought through anew.
+void mpe_transformer_episodes(benchmark::State& state) {
+  constexpr std::size_t episodes = 100;
+  const Layout layout(Scenario::named("simple_tag"));
+  TransformerPolicy policy;
+  policy.scenario = layout.scenario().name;
+  sct::Architecture base;
+  base.readout = sct::Readout::cat;
+  policy.architecture = particle_architecture(layout.scenario(), base);
+  policy.parameters = sct::initial_parameters(policy.architecture, 1);
+  policy.scale = {{0, 0, 0}, {1, 1, 1}};
+  const auto mind = std::make_shared<const TransformerMind>(policy);
+  const Cast cast{transformer_controller("sct", mind, layout.scenario()), random_player()};
+  for (auto _ : state)
+    benchmark::DoNotOptimize(score_episodes(layout, cast, {1, 0, episodes, static_cast<unsigned>(state.range(0))}));
+  state.counters["episodes/s"] =
+      benchmark::Counter(static_cast<double>(episodes), benchmark::Counter::kIsIterationInvariantRate);
+}
+BENCHMARK(mpe_transformer_episodes)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace folk::mpe

@@ -32,19 +32,25 @@ std::vector<StudyJob> all_jobs(const StudySettings& settings) {
     for (const char* player : {"lead_pursuit", "random_play"}) jobs.push_back({"maddpg", scenario, "none", player, 1});
     jobs.push_back({"maddpg", scenario, "expert", "matd3", 1});
   }
-  // What says most comes first: an interrupted study has every table begun.
-  for (std::uint64_t seed = 1; seed <= settings.seeds; ++seed)
-    for (const char* level : {"expert", "medium", "random"})
-      for (const char* scenario : scenarios)
-        for (const auto& learner : study_learners()) {
-          if (learner == "sct-selfconf" && std::string_view(level) != "expert") continue;
-          if (std::string_view(level) == "random" && seed > 1) continue;
-          jobs.push_back({"released", scenario, level, learner, seed});
-        }
-  for (std::uint64_t seed = 1; seed <= settings.seeds; ++seed)
+  const auto learn = [&](const char* data_prey, const char* level, std::uint64_t seed, bool transformers) {
     for (const char* scenario : scenarios)
-      for (const auto& learner : study_learners())
-        if (learner != "sct-selfconf") jobs.push_back({"maddpg", scenario, "expert", learner, seed});
+      for (const auto& learner : study_learners()) {
+        const StudyJob job{data_prey, scenario, level, learner, seed};
+        const bool extra = learner == "sct-selfconf" && (job.data_prey != "released" || job.level != "expert");
+        if (job.transformer() == transformers && !extra) jobs.push_back(job);
+      }
+  };
+  // What says most comes first, so that an interrupted study has every table begun: one seed of everything, then the
+  // transformers' other seeds.
+  for (const bool transformers : {false, true}) {
+    for (const char* level : {"expert", "medium", "random"}) learn("released", level, 1, transformers);
+    learn("maddpg", "expert", 1, transformers);
+  }
+  for (const bool transformers : {true, false})
+    for (std::uint64_t seed = 2; seed <= settings.seeds; ++seed) {
+      for (const char* level : {"expert", "medium"}) learn("released", level, seed, transformers);
+      learn("maddpg", "expert", seed, transformers);
+    }
   return jobs;
 }
 
