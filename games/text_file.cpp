@@ -1,6 +1,7 @@
 #include <folk/games/error.h>
 #include <folk/games/text_file.h>
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -44,6 +45,17 @@ void write_through(const fs::path& path, const fs::path& shown, const std::funct
   errno = 0;
   file.close();
   if (!file) fail(shown, errno != 0 ? std::strerror(errno) : "the disk is full or failing");
+}
+
+/// Waits until the disk has what was written, so that a name is never given to a file that a power cut leaves empty.
+/// Where a file system cannot say, so be it.
+void reach_the_disk(const fs::path& path, const fs::path& shown) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return;
+  const bool failed = ::fsync(file) != 0 && errno != EINVAL && errno != ENOSYS;
+  const int why = errno;
+  ::close(file);
+  if (failed) fail(shown, std::strerror(why));
 }
 
 /// The process of a temporary name "path.PID.SERIAL.tmp"; nothing for any other name.
@@ -103,6 +115,7 @@ void write_file(const fs::path& path, const std::function<void(std::ostream&)>& 
   std::error_code ignored;
   try {
     write_through(temporary, path, content);
+    reach_the_disk(temporary, path);
     if (fs::exists(status)) fs::permissions(temporary, status.permissions(), ignored);
     fs::rename(temporary, target, error);
     if (error) fail(path, error.message());

@@ -20,7 +20,8 @@ std::string read_file(const std::filesystem::path& path, std::size_t largest);
 /// read_file up to largest_text_file.
 std::string read_text_file(const std::filesystem::path& path);
 
-/// Writes to a temporary name beside `path` and renames it, so that a reader sees the old file or the whole new one.
+/// Writes to a temporary name beside `path`, waits for the disk and renames it, so that a reader sees the old file or
+/// the whole new one, after a power cut too.
 /// A symbolic link stays one and the file it names is replaced; a device or pipe (/dev/null) is written to directly.
 /// Throws EnvironmentError when the folder does not exist or cannot be written, or the disk is full. What `content`
 /// throws is passed on, and the old file stays.

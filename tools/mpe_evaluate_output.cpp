@@ -87,19 +87,20 @@ std::string transformer_tables(const EvaluationSettings& settings, const Evaluat
   if (settings.beliefs) {
     std::vector<std::string> header{"prey", "target"};
     for (const double radius : mpe::belief_radii) header.push_back(fmt::format("within {:.0f} %", 100 * radius));
-    header.insert(header.end(), {"within 0.1", "distance"});
+    for (const double radius : mpe::absolute_radii) header.push_back(fmt::format("within {}", radius));
+    header.push_back("distance");
     Table table(header);
     for (const auto& result : evaluation.results) {
       const auto& transformer = *result.transformer;
       std::vector<std::string> row{result.prey, fmt::format("{:g}", transformer.target)};
       for (const auto& right : transformer.beliefs->right) row.push_back(measured(right, 3));
-      row.push_back(measured(transformer.beliefs->near, 3));
+      for (const auto& within : transformer.beliefs->within) row.push_back(measured(within, 3));
       row.push_back(measured(transformer.beliefs->distance, 4));
       table.add(row);
     }
     text += fmt::format(
-        "\n{}\nwithin r %: share of steps with |belief - action| < r max(|action|, {}); within 0.1: with a distance "
-        "below 0.1\n",
+        "\n{}\nwithin r %: share of steps with |belief - action| < r max(|action|, {}); within 0.1, ...: with a "
+        "distance below it\n",
         table.text(), mpe::belief_floor);
   }
   if (settings.forced_beliefs) {
@@ -136,7 +137,10 @@ Json json_of(const mpe::BeliefSummary& beliefs) {
     json["right"].push_back({{"radius", mpe::belief_radii[r]},
                              {"mean", beliefs.right[r].mean},
                              {"ci95", json_number(beliefs.right[r].ci95)}});
-  json["near"] = json_of(beliefs.near);
+  for (std::size_t r = 0; r < mpe::absolute_radii.size(); ++r)
+    json["within"].push_back({{"radius", mpe::absolute_radii[r]},
+                              {"mean", beliefs.within[r].mean},
+                              {"ci95", json_number(beliefs.within[r].ci95)}});
   json["distance"] = json_of(beliefs.distance);
   return json;
 }

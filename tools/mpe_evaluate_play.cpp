@@ -88,9 +88,10 @@ private:
   const std::function<void(double)>& progress_;
 };
 
-/// The mind of a transformer's policy file; null for all other players.
+/// The mind of a transformer's policy file; null for all other players, and for a pipe, which can be read but once.
 std::shared_ptr<const mpe::TransformerMind> transformer_of(const Controller& predators) {
-  if (predators.file.empty()) return nullptr;
+  std::error_code ignored;
+  if (!fs::is_regular_file(predators.file, ignored)) return nullptr;
   const std::string bytes = read_file(predators.file, mpe::largest_policy_file);
   if (!mpe::is_transformer(bytes, predators.file)) return nullptr;
   return std::make_shared<const mpe::TransformerMind>(mpe::parse_transformer_policy(bytes, predators.file));

@@ -57,7 +57,8 @@ Program program() {
   add("budget", text(), "small (minutes on a core, the default) or paper (what the sources say)");
   add("seed", text(), "of the first parameters and all that is drawn (default 1)");
   add("steps", text(), "gradient steps, instead of the budget's");
-  add("level", text(), "random, medium or expert, where the data do not say it: omar's numbers are chosen by it");
+  add("level", text(),
+      "random, medium-replay, medium or expert, where the data do not say it: omar's numbers are chosen by it");
   add("hidden", text(), "width of the network");
   add("layers", text(), "hidden layers, or blocks of a transformer");
   add("batch", text(), "examples of a step");
@@ -92,8 +93,10 @@ LearnerChoice choice_of(const po::variables_map& values) {
       static_cast<unsigned>(whole_option(values, "threads", std::max(1U, std::thread::hardware_concurrency()), 1, 256));
   if (values.count("level") != 0) {
     choice.level = text_option(values, "level");
-    if (choice.level != "random" && choice.level != "medium" && choice.level != "expert")
-      throw UsageError(fmt::format("--level '{}': expected random, medium or expert", excerpt(*choice.level)));
+    if (choice.level != "random" && choice.level != "medium-replay" && choice.level != "medium" &&
+        choice.level != "expert")
+      throw UsageError(
+          fmt::format("--level '{}': expected random, medium-replay, medium or expert", excerpt(*choice.level)));
   }
   const auto whole = [&](const char* option, std::uint64_t most) { return whole_option(values, option, 1, 1, most); };
   if (values.count("steps") != 0) choice.steps = whole("steps", 1'000'000'000);

@@ -182,7 +182,7 @@ int study(const po::variables_map& values, const Common& common) {
       static_cast<unsigned>(whole_option(values, "threads", std::max(1U, std::thread::hardware_concurrency()), 1, 256));
   const fs::path players = data_folder() / "mpe";
   const auto paper = mpe::read_paper_tables(players);
-  auto records = mpe::read_records(root, settings);
+  auto records = mpe::read_records(root, settings, players);
   if (values.count("status") != 0) {
     write_status(std::cout, jobs, records, root);
     return done;
@@ -191,7 +191,7 @@ int study(const po::variables_map& values, const Common& common) {
   if (values.count("tables") == 0) {
     const auto missing = mpe::missing_jobs(jobs, records);
     if (!missing.empty()) work(missing, jobs.size(), settings, folder, threads, common);
-    records = mpe::read_records(root, settings);
+    records = mpe::read_records(root, settings, players);
   }
   const auto main = mpe::study_tables(records, settings, "released", paper);
   const auto second = mpe::study_tables(records, settings, "maddpg", paper);

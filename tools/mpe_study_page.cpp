@@ -84,7 +84,7 @@ Html reading_list() {
            "A cell is the mean over training seeds ± half of its 95 % interval (number of seeds); below it stands what "
            "the "
            "paper prints.",
-           "▲ and ▼ mark cells above and below the paper's number by more than both intervals; all others may be the "
+           "▲ and ▼ mark scores above and below the paper's number by more than both intervals; all others may be the "
            "same.",
            "Learners whose training sees one prey are met by four others: what they lose there is what the paper is "
            "about.",

@@ -40,14 +40,19 @@ Html marked(const Html& cell, const std::optional<ToPaper>& lies) {
 Html score_cell(const ScoreRow& row) {
   Html html = marked(cell_html(row.score, 1), mpe::to_paper(row));
   if (row.paper) html += small(fmt::format("paper {} ± {}", fixed(*row.paper, 1), fixed(row.paper_sd.value_or(0), 1)));
-  if (row.score && row.at_data_target && row.at_data_target->mean != row.score->mean)
-    html += small(
-        fmt::format("data's target {} ± {}", fixed(row.at_data_target->mean, 1), fixed(row.at_data_target->ci95, 1)));
+  const auto add = [&](const char* target, const std::optional<Cell>& cell) {
+    if (row.score && cell && cell->mean != row.score->mean)
+      html += small(fmt::format("{} {} ± {}", target, fixed(cell->mean, 1), fixed(cell->ci95, 1)));
+  };
+  add("data's target", row.at_data_target);
+  add("own target", row.at_own_target);
   return html;
 }
 
 Html accuracy_cell(const AccuracyRow& row) {
-  Html html = marked(cell_html(row.accuracy, 3), mpe::to_paper(row));
+  Html html = cell_html(row.accuracy, 3);
+  if (const auto within = mpe::within_inferred(row))
+    html += small(fmt::format("within 0.6: {} ± {}", fixed(within->mean, 3), fixed(within->ci95, 3)));
   if (row.paper) html += small(fmt::format("paper {}", fixed(*row.paper, 3)));
   if (!row.accuracy || row.right.size() != mpe::belief_radii.size()) return html;
   std::string radii, shares;
@@ -170,7 +175,7 @@ Html progress_table(const StudyTables& tables, const mpe::StudySettings& setting
   std::vector<std::string> headings{"data"};
   for (const auto& learner : learners) headings.push_back(mpe::learner_title(learner));
   HtmlTable table(headings, {"name"});
-  for (const char* scenario : {"simple_tag", "simple_world"})
+  for (const auto& scenario : mpe::study_scenarios())
     for (const char* level : {"expert", "medium", "random", "none"}) {
       std::vector<Html> row{fmt::format("{}, {}", scenario, level_title(level))};
       bool any = false;
@@ -204,18 +209,22 @@ std::string progress_words(const StudyTables& main, const StudyTables& second, c
 
 Html data_section(const StudyTables& tables, const DrawnPictures& pictures) {
   Html html = heading(2, data_title(tables));
+  for (const auto& line : tables.diverged) html += paragraph("Diverged: " + line);
   const auto scores = mpe::score_blocks(tables);
   if (!any_begun(scores)) return html + paragraph(not_run());
   const auto same = [](const std::string& column) { return column; };
   html += heading(3, "Scores");
   if (const auto count = score_count(tables); count.compared > 0)
-    html += paragraph("Agreement: " + count_words(count, "scores") + ".");
+    html += paragraph("Agreement: " + count_words(count) + ".");
   html += pictures_of("scores", tables, pictures) + blocks_html(scores, false, mpe::prey_title, score_cell) +
           legend_list(score_legend(tables));
+  if (const auto paired = mpe::paired_blocks(tables); any_begun(paired))
+    html += heading(3, "Differences of scores") +
+            blocks_html(paired, false, mpe::prey_title,
+                        [](const mpe::PairedRow& row) { return cell_html(row.difference, 1); }) +
+            legend_list(paired_legend());
   if (const auto accuracies = mpe::accuracy_blocks(tables); any_begun(accuracies)) {
     html += heading(3, "Accuracy of beliefs");
-    if (const auto count = accuracy_count(tables); count.compared > 0)
-      html += paragraph("Agreement: " + count_words(count, "accuracies") + ".");
     html += pictures_of("accuracy", tables, pictures) + blocks_html(accuracies, false, mpe::prey_title, accuracy_cell) +
             legend_list(accuracy_legend(tables));
   }

@@ -13,7 +13,6 @@
 namespace folk::tools {
 namespace {
 
-using mpe::AccuracyRow;
 using mpe::Cell;
 using mpe::fixed;
 using mpe::ScoreRow;
@@ -29,8 +28,7 @@ std::string cell_text(const std::optional<Cell>& cell, int decimals) {
                      decimals == 1 ? 4 : 5, cell->seeds);
 }
 
-template <class Row>
-std::string marked(const Row& row, std::string text) {
+std::string marked(const ScoreRow& row, std::string text) {
   const auto lies = mpe::to_paper(row);
   return lies && *lies != mpe::ToPaper::alike ? text + " *" : text;
 }
@@ -63,18 +61,10 @@ std::string block_heading(const std::string& kind, const std::string& scenario, 
   return fmt::format("{}: {}, {} data\n", kind, scenario, level);
 }
 
-template <class Row>
-const std::optional<Cell>& cell_of_row(const Row& row) {
-  if constexpr (
-      requires { row.accuracy; } && !requires { row.score; })
-    return row.accuracy;
-  else
-    return row.score;
-}
-
-/// Blocks with the paper's numbers in columns of their own where it has any.
-template <class Row>
-std::string paper_blocks(const std::vector<StudyBlock<Row>>& blocks, const std::string& kind, int decimals) {
+/// Blocks of some columns a prey, the paper's numbers in the last of them where it has any.
+template <class Row, class Cells>
+std::string paper_blocks(const std::vector<StudyBlock<Row>>& blocks, const std::string& kind,
+                         const std::vector<std::string>& more, int decimals, Cells&& cells) {
   std::string text;
   for (const auto& block : blocks) {
     text += block_heading(kind, block.scenario, block.level);
@@ -88,13 +78,15 @@ std::string paper_blocks(const std::vector<StudyBlock<Row>>& blocks, const std::
     std::vector<std::string> header{"learner"};
     for (const auto& prey : block.columns) {
       header.push_back(mpe::prey_title(prey));
+      header.insert(header.end(), more.begin(), more.end());
       if (papers) header.emplace_back("paper");
     }
     Table table(header);
     for (const auto& line : block.lines) {
       std::vector<std::string> row{mpe::learner_title(line.learner)};
       for (const Row* one : line.cells) {
-        row.push_back(one == nullptr ? "-" : marked(*one, cell_text(cell_of_row(*one), decimals)));
+        for (const auto& field : one == nullptr ? std::vector<std::string>(1 + more.size(), "-") : cells(*one))
+          row.push_back(field);
         if (papers) row.push_back(one == nullptr ? "-" : paper_text(one->paper, decimals));
       }
       table.add(row);
@@ -102,6 +94,37 @@ std::string paper_blocks(const std::vector<StudyBlock<Row>>& blocks, const std::
     text += table.text() + "\n";
   }
   return text;
+}
+
+std::string scores_text(const std::vector<StudyBlock<ScoreRow>>& blocks) {
+  return paper_blocks(blocks, "Scores", {}, 1, [](const ScoreRow& row) {
+    return std::vector<std::string>{marked(row, cell_text(row.score, 1))};
+  });
+}
+
+std::string accuracies_text(const std::vector<StudyBlock<mpe::AccuracyRow>>& blocks) {
+  return paper_blocks(blocks, "Accuracy of beliefs", {"within 0.6"}, 3, [](const mpe::AccuracyRow& row) {
+    const auto within = mpe::within_inferred(row);
+    return std::vector<std::string>{cell_text(row.accuracy, 3), within ? fixed(within->mean, 3) : "-"};
+  });
+}
+
+std::string paired_text(const StudyTables& tables) {
+  std::string text;
+  for (const auto& block : mpe::paired_blocks(tables)) {
+    if (!block.begun()) continue;
+    text += block_heading("Differences of scores", block.scenario, block.level);
+    std::vector<std::string> header{"difference"};
+    for (const auto& prey : block.columns) header.push_back(mpe::prey_title(prey));
+    Table table(header);
+    for (const auto& line : block.lines) {
+      std::vector<std::string> row{line.learner};
+      for (const auto* one : line.cells) row.push_back(one == nullptr ? "-" : cell_text(one->difference, 1));
+      table.add(row);
+    }
+    text += table.text() + "\n";
+  }
+  return text.empty() ? text : text + legend_text(paired_legend());
 }
 
 std::string blend_text(const StudyTables& tables) {
@@ -177,17 +200,17 @@ std::string asked_text(const StudyTables& tables) {
 std::string tables_text(const StudyTables& tables) {
   const std::string title = data_title(tables);
   std::string text = title + "\n" + std::string(title.size(), '=') + "\n\n";
+  for (const auto& line : tables.diverged) text += "Diverged: " + line + "\n";
+  if (!tables.diverged.empty()) text += "\n";
   const auto scores = mpe::score_blocks(tables);
   if (std::none_of(scores.begin(), scores.end(), [](const auto& block) { return block.begun(); }))
     return text + not_run + "\n\n";
-  text += paper_blocks(scores, "Scores", 1);
-  if (const auto count = score_count(tables); count.compared > 0) text += count_words(count, "scores") + "\n";
-  text += legend_text(score_legend(tables));
+  text += scores_text(scores);
+  if (const auto count = score_count(tables); count.compared > 0) text += count_words(count) + "\n";
+  text += legend_text(score_legend(tables)) + paired_text(tables);
   const auto accuracies = mpe::accuracy_blocks(tables);
   if (std::any_of(accuracies.begin(), accuracies.end(), [](const auto& block) { return block.begun(); })) {
-    text += paper_blocks(accuracies, "Accuracy of beliefs", 3);
-    if (const auto count = accuracy_count(tables); count.compared > 0) text += count_words(count, "accuracies") + "\n";
-    text += legend_text(accuracy_legend(tables));
+    text += accuracies_text(accuracies) + legend_text(accuracy_legend(tables));
   }
   return text + blend_text(tables) + forced_text(tables) + asked_text(tables);
 }

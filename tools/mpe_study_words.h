@@ -18,6 +18,7 @@ struct Legend {
 
 std::vector<Legend> score_legend(const mpe::StudyTables& tables);
 std::vector<Legend> accuracy_legend(const mpe::StudyTables& tables);
+std::vector<Legend> paired_legend();
 std::vector<Legend> blend_legend();
 std::vector<Legend> forced_legend();
 std::vector<Legend> asked_legend();
@@ -25,14 +26,13 @@ std::vector<Legend> asked_legend();
 /// "Data whose prey was the released one".
 std::string data_title(const mpe::StudyTables& tables);
 
-/// How many of the cells that the paper has too lie so to its numbers.
+/// How many of the scores that can be held against the paper's lie so to its numbers.
 struct PaperCount {
   std::size_t compared = 0, above = 0, below = 0;
 };
 PaperCount score_count(const mpe::StudyTables& tables);
-PaperCount accuracy_count(const mpe::StudyTables& tables);
 
 /// "of 120 scores that the paper has too, 30 are above and 12 below its number, ..."
-std::string count_words(const PaperCount& count, const std::string& what);
+std::string count_words(const PaperCount& count);
 
 }  // namespace folk::tools

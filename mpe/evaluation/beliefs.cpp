@@ -1,6 +1,8 @@
 #include <folk/games/error.h>
 #include <folk/mpe/evaluation/beliefs.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,13 +10,12 @@
 namespace folk::mpe {
 namespace {
 
-/// What was believed and changed in each step of the planned episodes; blocks write to places of their own.
+/// What is believed and changed in the present step of each planned episode; blocks write to places of their own.
 struct Thoughts {
-  std::size_t steps;
   std::uint64_t first;
-  std::vector<ThoughtRecord> records;  // [episode][step]
+  std::vector<ThoughtRecord> records;
 
-  ThoughtRecord& at(std::uint64_t episode, std::size_t step) { return records[(episode - first) * steps + step]; }
+  ThoughtRecord& of(std::uint64_t episode) { return records[episode - first]; }
 };
 
 class BeliefWatcher final : public Watcher {
@@ -28,14 +29,14 @@ public:
     const auto [x, y] = action_rows(block, layout.scenario().prey());
     const double share = 1.0 / static_cast<double>(layout.scenario().episode_steps);
     for (std::size_t lane = 0; lane < block.lanes; ++lane) {
-      const auto& thought = thoughts_.at(moment.first + lane, moment.step);
+      const auto& thought = thoughts_.of(moment.first + lane);
       auto& out = beliefs_[lane];
       const double distance = std::hypot(static_cast<double>(thought.belief[0]) - x[lane],
                                          static_cast<double>(thought.belief[1]) - y[lane]);
       const double unit = std::max(std::hypot(x[lane], y[lane]), belief_floor);
       for (std::size_t r = 0; r < belief_radii.size(); ++r)
         out.right[r] += distance < belief_radii[r] * unit ? share : 0;
-      out.near += distance < 0.1 ? share : 0;
+      for (std::size_t r = 0; r < absolute_radii.size(); ++r) out.within[r] += distance < absolute_radii[r] ? share : 0;
       out.distance += distance * share;
       out.change += thought.change * share;
     }
@@ -56,10 +57,9 @@ private:
 TransformerScores score_transformer(const Layout& layout, const std::shared_ptr<const TransformerMind>& mind,
                                     const Controller& prey, const EpisodePlan& plan, TransformerPlay play,
                                     const std::function<void(double)>& progress) {
-  const std::size_t steps = layout.scenario().episode_steps;
-  Thoughts thoughts{steps, plan.first, std::vector<ThoughtRecord>(plan.episodes * steps)};
+  Thoughts thoughts{plan.first, std::vector<ThoughtRecord>(plan.episodes)};
   play.prey = prey;
-  play.witness = [&](const ThoughtRecord& thought) { thoughts.at(thought.episode, thought.step) = thought; };
+  play.witness = [&](const ThoughtRecord& thought) { thoughts.of(thought.episode) = thought; };
   const auto predators = transformer_controller("transformer", mind, layout.scenario(), std::move(play));
   TransformerScores scores{std::vector<EpisodeScore>(plan.episodes), std::vector<EpisodeBeliefs>(plan.episodes)};
   play_episodes(
@@ -80,7 +80,8 @@ BeliefSummary summarise(std::span<const EpisodeBeliefs> beliefs) {
   BeliefSummary summary;
   for (std::size_t r = 0; r < belief_radii.size(); ++r)
     summary.right[r] = over([&](const EpisodeBeliefs& episode) { return episode.right[r]; });
-  summary.near = over([](const EpisodeBeliefs& episode) { return episode.near; });
+  for (std::size_t r = 0; r < absolute_radii.size(); ++r)
+    summary.within[r] = over([&](const EpisodeBeliefs& episode) { return episode.within[r]; });
   summary.distance = over([](const EpisodeBeliefs& episode) { return episode.distance; });
   summary.change = over([](const EpisodeBeliefs& episode) { return episode.change; });
   return summary;
@@ -117,6 +118,11 @@ std::vector<ForcingScore> force_beliefs(const Layout& layout, const std::shared_
                                         const std::function<void(double)>& progress) {
   constexpr std::array forcings{BeliefForcing::none, BeliefForcing::truth, BeliefForcing::other_episode,
                                 BeliefForcing::zero};
+  if (plan.episodes % block_lanes == 1)
+    throw UsageError(
+        fmt::format("{} episodes: the last one would have no other beside it whose truth could be believed; give one "
+                    "more",
+                    plan.episodes));
   std::vector<ForcingScore> rows;
   std::vector<EpisodeScore> free;
   for (const auto forcing : forcings) {

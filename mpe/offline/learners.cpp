@@ -16,10 +16,13 @@
 namespace folk::mpe {
 namespace {
 
+/// Throws UsageError where neither the choice nor the data say it.
 std::string level_of(const DataSet& data, const LearnerChoice& choice) {
   if (choice.level) return *choice.level;
   const auto& record = data.record();
-  return record && !record->description.level.empty() ? record->description.level : "expert";
+  if (record && !record->description.level.empty()) return record->description.level;
+  throw UsageError(fmt::format("{}: the data do not say their level, by which {}'s numbers are chosen; give --level",
+                               excerpt(data.source(), 1000), to_string(choice.kind)));
 }
 
 /// The settings that a choice names, taken one after the other: what is left at the end was not this learner's.
@@ -174,17 +177,17 @@ std::uint64_t learner_steps(const DataSet& data, const LearnerChoice& choice) {
   if (choice.steps) return *choice.steps;
   if (choice.budget == Budget::smoke) return 10;
   const bool small = choice.budget == Budget::small;
-  const std::string level = level_of(data, choice);
   switch (choice.kind) {
     case LearnerKind::bc: return small ? 10'000 : 150'000;
     case LearnerKind::ma_bcq: return small ? 3'000 : 1'000'000;  // as Fujimoto et al. trained; the paper is silent
     case LearnerKind::omar:
-    case LearnerKind::cql: return published_omar_steps(data.scenario().name, level);
+    case LearnerKind::cql: return published_omar_steps(data.scenario().name, level_of(data, choice));
     case LearnerKind::madt:
     case LearnerKind::rmadt:
     case LearnerKind::sct: break;
   }
-  return small ? 4'000 : level == "random" ? 100'000 : 10'000;
+  if (small) return 4'000;
+  return level_of(data, choice) == "random" ? 100'000 : 10'000;
 }
 
 std::unique_ptr<OfflineLearner> make_learner(const DataSet& data, const LearnerChoice& choice) {

@@ -40,7 +40,7 @@ struct MaBcqSettings {
   std::size_t candidates = 10;          ///< actions of a next state
   std::size_t acting_candidates = 100;  ///< actions of which the policy takes the best
   double perturbation = 0.05;           ///< the largest shift of an action's number
-  double lambda = 0.75;                 ///< weight of the smaller twin in a target; the larger has the rest
+  double lambda = 0.75;                 ///< weight of the smaller twin where a next state's candidate is chosen
   std::uint64_t seed = 1;
   unsigned threads = 1;  ///< changes no bit of the result
 };

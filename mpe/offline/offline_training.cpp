@@ -33,8 +33,8 @@ void OfflineTraining::step() {
                                  names_.size(), losses.size()));
   for (std::size_t i = 0; i < losses.size(); ++i) {
     if (!std::isfinite(losses[i].value))
-      throw UsageError(fmt::format("training has diverged: the {} loss of step {} is {}; lower the learning rate",
-                                   names_[i], steps(), losses[i].value));
+      throw TrainingDiverged(fmt::format("training has diverged: the {} loss of step {} is {}; lower the learning rate",
+                                         names_[i], steps(), losses[i].value));
     sums_[i] += losses[i].value;
   }
   ++summed_;

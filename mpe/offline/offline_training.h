@@ -1,6 +1,7 @@
 #pragma once
 // An offline training run: a learner's steps, the curve of its losses, and the run as bytes to go on with.
 
+#include <folk/games/error.h>
 #include <folk/mpe/offline/offline_learner.h>
 
 #include <cstdint>
@@ -10,6 +11,12 @@
 #include <vector>
 
 namespace folk::mpe {
+
+/// A loss is no number any more.
+class TrainingDiverged : public UsageError {
+public:
+  using UsageError::UsageError;
+};
 
 /// Mean losses since the point before.
 struct LossPoint {
@@ -29,7 +36,7 @@ public:
   std::uint64_t last_step() const { return last_step_; }
   bool finished() const { return steps() >= last_step_; }
 
-  /// Throws UsageError when a loss is no number any more: training has diverged.
+  /// Throws TrainingDiverged when a loss is no number any more.
   void step();
 
   /// What the losses are called; empty before the first step.

@@ -87,15 +87,13 @@ StoredNetwork take_stored_network(PolicyReader& reader, const std::string& prefi
     widths.push_back(shape[0]);
   }
   StoredNetwork network{MlpShape(widths), {}};
-  network.parameters.resize(network.shape.parameters());
-  for (std::size_t layer = 1; layer <= layers; ++layer) {
-    const auto put = [&](const std::vector<float>& numbers, std::size_t offset) {
-      std::copy(numbers.begin(), numbers.end(), network.parameters.begin() + static_cast<std::ptrdiff_t>(offset));
-    };
-    put(reader.take(layer_name(prefix, layer, "weight"), {widths[layer], widths[layer - 1]}),
-        network.shape.weight(layer - 1));
-    put(reader.take(layer_name(prefix, layer, "bias"), {widths[layer]}), network.shape.bias(layer - 1));
-  }
+  // Weight and bias of each layer follow each other in memory; only what the file really has is asked memory for.
+  for (std::size_t layer = 1; layer <= layers; ++layer)
+    for (const auto& [part, shape] : {std::pair<const char*, TensorShape>{"weight", {widths[layer], widths[layer - 1]}},
+                                      std::pair<const char*, TensorShape>{"bias", {widths[layer]}}}) {
+      const auto numbers = reader.take(layer_name(prefix, layer, part), shape);
+      network.parameters.insert(network.parameters.end(), numbers.begin(), numbers.end());
+    }
   return network;
 }
 

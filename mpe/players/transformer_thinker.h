@@ -44,7 +44,8 @@ struct Glimpse {
 ///
 /// In the past belief slots stands what training put there. `teacher`: the prey's true actions, as in the published
 /// program. `selfconf`, `composite`: the beliefs; these come from a stream of their own whose past slots hold the true
-/// actions, as in the first pass of training.
+/// actions, as in the first pass of training, and stay what they were when they were held (training forms them anew
+/// from each window's first step, which differs once the window slides).
 class TransformerThinker {
 public:
   /// `mind` must outlive this. `target`: the asked return, unscaled.

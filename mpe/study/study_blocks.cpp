@@ -1,4 +1,5 @@
 #include <folk/mpe/study/study_blocks.h>
+#include <folk/mpe/study/study_words.h>
 
 #include <fmt/format.h>
 
@@ -16,6 +17,7 @@ const std::optional<Cell>& main_cell(const Row& row) {
   return row.score;
 }
 const std::optional<Cell>& main_cell(const AccuracyRow& row) { return row.accuracy; }
+const std::optional<Cell>& main_cell(const PairedRow& row) { return row.difference; }
 
 bool plays_only(const std::string& learner) {
   const auto& players = study_players();
@@ -101,6 +103,7 @@ bool StudyBlock<Row>::begun() const {
 template struct StudyBlock<ScoreRow>;
 template struct StudyBlock<BlendRow>;
 template struct StudyBlock<AccuracyRow>;
+template struct StudyBlock<PairedRow>;
 template struct StudyBlock<AskedRow>;
 template struct StudyBlock<ForcedRow>;
 
@@ -115,6 +118,12 @@ std::vector<StudyBlock<BlendRow>> blend_blocks(const StudyTables& tables) {
 
 std::vector<StudyBlock<AccuracyRow>> accuracy_blocks(const StudyTables& tables) {
   return blocks_of<AccuracyRow>(learners_first(tables.accuracies), learner_of<AccuracyRow>, prey_of<AccuracyRow>);
+}
+
+std::vector<StudyBlock<PairedRow>> paired_blocks(const StudyTables& tables) {
+  return blocks_of<PairedRow>(
+      learners_first(tables.paired), [](const PairedRow& row) { return "SCT minus " + learner_title(row.learner); },
+      prey_of<PairedRow>);
 }
 
 std::vector<StudyBlock<AskedRow>> asked_blocks(const StudyTables& tables) {

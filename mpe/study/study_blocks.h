@@ -30,6 +30,8 @@ struct StudyBlock {
 std::vector<StudyBlock<ScoreRow>> score_blocks(const StudyTables& tables);
 std::vector<StudyBlock<BlendRow>> blend_blocks(const StudyTables& tables);  ///< columns "1", "0.7", ...
 std::vector<StudyBlock<AccuracyRow>> accuracy_blocks(const StudyTables& tables);
+/// Lines "SCT minus MADT", one for each other learner.
+std::vector<StudyBlock<PairedRow>> paired_blocks(const StudyTables& tables);
 /// Lines "sct, still", one a learner and prey; columns are what was asked for, "0", "80", ...
 std::vector<StudyBlock<AskedRow>> asked_blocks(const StudyTables& tables);
 /// Lines likewise; columns are the forcings.

@@ -63,14 +63,22 @@ std::string word(const std::optional<ToPaper>& to_paper) {
 
 std::string scores_csv(const StudyTables& tables) {
   Csv csv(tables,
-          "scenario,level,learner,prey,score,ci95,seeds,budget,at_data_target,at_data_target_ci95,paper,paper_sd,"
-          "to_paper");
+          "scenario,level,learner,prey,score,ci95,seeds,budget,at_data_target,at_data_target_ci95,at_own_target,"
+          "at_own_target_ci95,paper,paper_sd,to_paper");
   for (const auto& row : tables.scores) {
     Fields more;
     Csv::append(more, row.at_data_target, score_decimals);
+    Csv::append(more, row.at_own_target, score_decimals);
     more.insert(more.end(), {paper_text(row.paper), paper_text(row.paper_sd), word(to_paper(row))});
     csv.add({row.scenario, row.level, row.learner, row.prey}, row.score, score_decimals, more);
   }
+  return std::move(csv).take();
+}
+
+std::string paired_csv(const StudyTables& tables) {
+  Csv csv(tables, "scenario,level,prey,minus,difference,ci95,seeds,budget");
+  for (const auto& row : tables.paired)
+    csv.add({row.scenario, row.level, row.prey, row.learner}, row.difference, score_decimals);
   return std::move(csv).take();
 }
 
@@ -85,13 +93,14 @@ std::string accuracy_csv(const StudyTables& tables) {
   // The columns' names hold the radii; the one that is missing is the accuracy itself.
   static_assert(belief_radii == std::array{0.05, 0.1, 0.2, 0.5} && paper_radius == 1);
   Csv csv(tables,
-          "scenario,level,learner,prey,accuracy,ci95,seeds,budget,within_5,within_20,within_50,near,distance,paper,"
-          "to_paper");
+          "scenario,level,learner,prey,accuracy,ci95,seeds,budget,within_5,within_20,within_50,within_0.1,within_0.3,"
+          "within_0.6,distance,paper");
   for (const auto& row : tables.accuracies) {
     const auto right = [&](std::size_t r) { return r < row.right.size() ? mean_text(row.right[r]) : std::string(); };
+    const auto within = [&](std::size_t r) { return r < row.within.size() ? mean_text(row.within[r]) : std::string(); };
     csv.add({row.scenario, row.level, row.learner, row.prey}, row.accuracy, share_decimals,
-            {right(0), right(2), right(3), mean_text(row.near), mean_text(row.distance), paper_text(row.paper),
-             word(to_paper(row))});
+            {right(0), right(2), right(3), within(0), within(1), within(2), mean_text(row.distance),
+             paper_text(row.paper)});
   }
   return std::move(csv).take();
 }
@@ -143,6 +152,7 @@ std::string returns_csv(const StudyTables& tables) {
 std::vector<NamedText> study_csv_files(const StudyTables& tables) {
   const std::string prefix = file_prefix(tables);
   return {{prefix + "scores.csv", scores_csv(tables)},
+          {prefix + "paired.csv", paired_csv(tables)},
           {prefix + "players.csv", players_csv(tables)},
           {prefix + "accuracy.csv", accuracy_csv(tables)},
           {prefix + "blend.csv", blend_csv(tables)},

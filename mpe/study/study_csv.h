@@ -11,14 +11,18 @@
 
 namespace folk::mpe {
 
-/// scenario,level,learner,prey,score,ci95,seeds,budget, then at_data_target,at_data_target_ci95,paper,paper_sd,to_paper
-/// (alike, above or below: study_words.h).
+/// scenario,level,learner,prey,score,ci95,seeds,budget, then at_data_target,at_data_target_ci95,at_own_target,
+/// at_own_target_ci95,paper,paper_sd,to_paper (alike, above or below: study_words.h).
 std::string scores_csv(const StudyTables& tables);
+
+/// scenario,level,prey,minus,difference,ci95,seeds,budget: the score of sct less that of the learner `minus`.
+std::string paired_csv(const StudyTables& tables);
 
 /// scenario,level,learner,prey,score,ci95,seeds,budget of who learned nothing.
 std::string players_csv(const StudyTables& tables);
 
-/// scenario,level,learner,prey,accuracy,ci95,seeds,budget,within_5,within_20,within_50,near,distance,paper,to_paper.
+/// scenario,level,learner,prey,accuracy,ci95,seeds,budget, then within_5,within_20,within_50 (shares at these
+/// percentages), within_0.1,within_0.3,within_0.6 (at these absolute radii), distance,paper.
 std::string accuracy_csv(const StudyTables& tables);
 
 /// scenario,level,learner,p,score,ci95,seeds,budget.

@@ -1,7 +1,9 @@
+#include <folk/analysis/signature.h>
 #include <folk/games/error.h>
 #include <folk/games/text_file.h>
 #include <folk/mpe/data/collect.h>
 #include <folk/mpe/players/names.h>
+#include <folk/mpe/players/policy_file.h>
 #include <folk/mpe/study/study_folder.h>
 
 #include <fmt/format.h>
@@ -98,8 +100,23 @@ std::shared_ptr<const DataSet> StudyFolder::data(const StudyJob& job, const Stud
   return data;
 }
 
-std::map<std::string, StudyRecord> read_records(const fs::path& root, const StudySettings& settings) {
+std::string study_identity(const std::string& scenario, const StudySettings& settings, const fs::path& players) {
+  Signature signature;
+  for (const std::uint64_t number : {settings.transitions, settings.episodes, settings.player_episodes,
+                                     settings.selection_episodes, settings.intervention_episodes, report_batches})
+    signature.add(number);
+  for (const std::uint64_t seed : {data_seed, selection_seed, report_seed, intervention_seed}) signature.add(seed);
+  for (const char* data_prey : {"released", "maddpg"})
+    for (const double target : target_grid({data_prey, scenario, "expert", "sct", 1})) signature.add(target);
+  for (const char* player : {"expert", "medium", "expert_maddpg", "released", "maddpg"})
+    signature.add(read_file(players / fmt::format("{}_{}.safetensors", scenario, player), largest_policy_file));
+  return fmt::format("{:016x}", signature.value());
+}
+
+std::map<std::string, StudyRecord> read_records(const fs::path& root, const StudySettings& settings,
+                                                const fs::path& players) {
   std::map<std::string, StudyRecord> records;
+  std::map<std::string, std::string> identities;
   for (const auto& job : study_jobs(settings)) {
     const fs::path file = root / "records" / (job.name() + ".json");
     std::error_code ignored;
@@ -112,10 +129,18 @@ std::map<std::string, StudyRecord> read_records(const fs::path& root, const Stud
       throw UsageError(fmt::format("{}: a study of budget {}, not {}; give --budget {} or another folder",
                                    excerpt(file.string(), 1000), excerpt(record.budget), to_string(settings.budget),
                                    excerpt(record.budget)));
-    if (!std::equal(record.preys.begin(), record.preys.end(), study_preys().begin(), study_preys().end(),
+    if (record.diverged.empty() &&
+        !std::equal(record.preys.begin(), record.preys.end(), study_preys().begin(), study_preys().end(),
                     [](const PreyRecord& prey, const std::string& name) { return prey.prey == name; }))
       throw InputFileError(fmt::format("{}: not of the study's {} preys; remove it, and its job is done again",
                                        excerpt(file.string(), 1000), study_preys().size()));
+    auto& identity = identities[job.scenario];
+    if (identity.empty()) identity = study_identity(job.scenario, settings, players);
+    if (record.identity != identity)
+      throw UsageError(fmt::format(
+          "{}: made with other players or other numbers of episodes than this Folk's; remove it, and its job "
+          "is examined again, or name another folder",
+          excerpt(file.string(), 1000)));
     records.emplace(job.name(), std::move(record));
   }
   return records;

@@ -50,8 +50,14 @@ private:
   std::map<std::string, std::weak_ptr<const DataSet>> open_;
 };
 
-/// The records of a folder by their jobs' names; of another budget's, or damaged ones, it throws UsageError or
-/// InputFileError. A folder that is not there has none.
-std::map<std::string, StudyRecord> read_records(const std::filesystem::path& root, const StudySettings& settings);
+/// 16 hexadecimal digits over all that a scenario's records depend on beside job and learner: numbers of episodes and
+/// transitions, targets, and the shipped players, which `players` is the folder of.
+std::string study_identity(const std::string& scenario, const StudySettings& settings,
+                           const std::filesystem::path& players);
+
+/// The records of a folder by their jobs' names. Throws UsageError when one is of another budget or identity,
+/// InputFileError when it is damaged or another job's. A folder that is not there has none.
+std::map<std::string, StudyRecord> read_records(const std::filesystem::path& root, const StudySettings& settings,
+                                                const std::filesystem::path& players);
 
 }  // namespace folk::mpe

@@ -5,7 +5,9 @@
 #include <folk/mpe/offline/resumable_training.h>
 #include <folk/mpe/players/any_policy.h>
 #include <folk/mpe/players/names.h>
+#include <folk/mpe/players/policy_file.h>
 #include <folk/mpe/study/study_job.h>
+#include <folk/sct/safetensors.h>
 
 #include <fmt/format.h>
 
@@ -27,10 +29,21 @@ struct Interrupted {};
 
 Mean returns_of(std::span<const EpisodeScore> scores) { return mean_of(summarise(scores).predators); }
 
+/// Means of successive parts of the episodes; none where there are fewer than parts.
+std::vector<double> batches_of(std::span<const EpisodeScore> scores) {
+  std::vector<double> means;
+  for (std::size_t b = 0; scores.size() >= report_batches && b < report_batches; ++b) {
+    const std::size_t begin = b * scores.size() / report_batches;
+    const std::size_t end = (b + 1) * scores.size() / report_batches;
+    means.push_back(returns_of(scores.subspan(begin, end - begin)).mean);
+  }
+  return means;
+}
+
 RightBeliefs right_beliefs(const BeliefSummary& summary) {
   RightBeliefs right;
   for (std::size_t r = 0; r < belief_radii.size(); ++r) right.right[r] = mean_of(summary.right[r]);
-  right.near = mean_of(summary.near);
+  for (std::size_t r = 0; r < absolute_radii.size(); ++r) right.within[r] = mean_of(summary.within[r]);
   right.distance = mean_of(summary.distance);
   return right;
 }
@@ -59,7 +72,9 @@ public:
     for (std::size_t i = 0; i < preys_.size(); ++i) {
       PreyRecord record;
       record.prey = study_preys()[i];
-      record.predators = returns_of(score_episodes(layout_, {predators, preys_[i]}, report_plan(), ticking()));
+      const auto scores = score_episodes(layout_, {predators, preys_[i]}, report_plan(), ticking());
+      record.predators = returns_of(scores);
+      record.batches = batches_of(scores);
       records.push_back(std::move(record));
       tell(i + 1);
     }
@@ -79,7 +94,9 @@ public:
   }
 
 private:
-  EpisodePlan report_plan() const { return {report_seed + job_.seed, 0, settings_.episodes, 1}; }
+  EpisodePlan report_plan() const {
+    return {report_seed + job_.seed, 0, job_.learns() ? settings_.episodes : settings_.player_episodes, 1};
+  }
 
   std::size_t data_prey() const {
     const auto& names = study_preys();
@@ -119,10 +136,13 @@ private:
     record.target = best_target(rows);
     const auto scores = report(mind, prey, *record.target);
     record.predators = returns_of(scores.play);
+    record.batches = batches_of(scores.play);
     if (mind->believes()) record.beliefs = right_beliefs(summarise(std::span<const EpisodeBeliefs>(scores.beliefs)));
     record.data_target = data_target;
     record.data_target_predators =
         data_target == *record.target ? record.predators : returns_of(report(mind, prey, data_target).play);
+    record.own_target = mind->policy.return_target;
+    record.own_target_predators = returns_of(report(mind, prey, *record.own_target).play);
     const auto& table = table_preys();
     if (!mind->acts_on_belief() || std::find(table.begin(), table.end(), record.prey) == table.end()) return record;
     TransformerPlay how;
@@ -148,7 +168,22 @@ std::string signature_of(std::string_view bytes) {
   return fmt::format("{:016x}", signature.value());
 }
 
-/// The bytes of a job's policy file; its training goes on where an earlier run was cut off.
+/// What an earlier run, cut off in its examination, has left; nothing where it is not this very training's end.
+std::optional<std::string> earlier_policy(const fs::path& file, const std::map<std::string, std::string>& notes) {
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) return std::nullopt;
+  try {
+    std::string bytes = read_file(file, largest_policy_file);
+    const auto there = sct::parse_safetensors(bytes, file.string()).metadata;
+    for (const auto& [key, text] : notes)
+      if (const auto found = there.find(key); found == there.end() || found->second != text) return std::nullopt;
+    return bytes;
+  } catch (const InputFileError&) {
+    return std::nullopt;  // damaged: it is made again
+  }
+}
+
+/// The policy file of a job: that of an earlier run which was cut off after its training, or a new one.
 std::string trained_policy(const StudyJob& job, const StudySettings& settings, StudyFolder& folder,
                            const JobWatch& watch, StudyRecord& record) {
   const auto data = folder.data(job, settings, watch.interrupted);
@@ -157,8 +192,14 @@ std::string trained_policy(const StudyJob& job, const StudySettings& settings, S
   auto learner = make_learner(*data, choice);
   record.training = run_description(*data, choice, *learner);
   record.data_return = data_figures(*data).predator.mean;
-  OfflineTraining training(std::move(learner), record.training, learner_steps(*data, choice));
-  record.steps = training.last_step();
+  record.steps = learner_steps(*data, choice);
+  const std::map<std::string, std::string> notes{{"training", record.training},
+                                                 {"learner", job.learner},
+                                                 {"budget", record.budget},
+                                                 {"steps", fmt::to_string(record.steps)},
+                                                 {"folk", record.folk}};
+  if (auto bytes = earlier_policy(folder.policy_file(job), notes)) return *std::move(bytes);
+  OfflineTraining training(std::move(learner), record.training, record.steps);
   {
     sct::CheckpointFiles checkpoints(folder.run_folder(job));
     TrainingWatch rules;
@@ -173,14 +214,27 @@ std::string trained_policy(const StudyJob& job, const StudySettings& settings, S
     };
     if (!train(training, rules)) throw Interrupted();
   }
-  const std::map<std::string, std::string> notes{{"training", record.training},
-                                                 {"learner", job.learner},
-                                                 {"budget", record.budget},
-                                                 {"steps", fmt::to_string(record.steps)},
-                                                 {"folk", folder.folk_version()}};
   std::string bytes = training.learner().policy(notes);
   write_file(folder.policy_file(job), bytes);
   return bytes;
+}
+
+/// Trains where the job does, and fills in what the preys say of it.
+void examine(const StudyJob& job, const StudySettings& settings, StudyFolder& folder, const JobWatch& watch,
+             StudyRecord& record) {
+  Examination examination(job, settings, folder, watch);
+  const Scenario scenario = Scenario::named(job.scenario);
+  if (!job.learns()) {
+    record.preys = examination.of(controller(spec_of(job), Side::predators, scenario, folder.players()));
+    return;
+  }
+  const std::string bytes = trained_policy(job, settings, folder, watch, record);
+  record.policy = signature_of(bytes);
+  const std::string source = folder.policy_file(job).string();
+  if (job.transformer())
+    record.preys = examination.of(std::make_shared<const TransformerMind>(parse_transformer_policy(bytes, source)));
+  else
+    record.preys = examination.of(any_policy_controller(job.learner, bytes, source, Side::predators, scenario));
 }
 
 }  // namespace
@@ -191,19 +245,14 @@ std::optional<StudyRecord> run_job(const StudyJob& job, const StudySettings& set
     StudyRecord record;
     record.job = job;
     record.budget = to_string(settings.budget);
-    record.episodes = settings.episodes;
-    Examination examine(job, settings, folder, watch);
-    const Scenario scenario = Scenario::named(job.scenario);
-    if (job.learns()) {
-      const std::string bytes = trained_policy(job, settings, folder, watch, record);
-      record.policy = signature_of(bytes);
-      const std::string source = folder.policy_file(job).string();
-      if (job.transformer())
-        record.preys = examine.of(std::make_shared<const TransformerMind>(parse_transformer_policy(bytes, source)));
-      else
-        record.preys = examine.of(any_policy_controller(job.learner, bytes, source, Side::predators, scenario));
-    } else {
-      record.preys = examine.of(controller(spec_of(job), Side::predators, scenario, folder.players()));
+    record.identity = study_identity(job.scenario, settings, folder.players());
+    record.folk = folder.folk_version();
+    record.episodes = job.learns() ? settings.episodes : settings.player_episodes;
+    try {
+      examine(job, settings, folder, watch, record);
+    } catch (const TrainingDiverged& error) {  // for ever, as the same training does the same again
+      record.diverged = error.what();
+      record.preys.clear();
     }
     write_file(folder.record_file(job), record_text(record));
     std::error_code ignored;

@@ -20,7 +20,8 @@ struct JobWatch {
 
 /// Trains what the job trains (going on from its last checkpoint), examines it against every prey of the study and
 /// writes the record; its checkpoints are then removed. Nothing when interrupted. What comes out depends on the job and
-/// the settings alone. Throws UsageError when a training diverges, EnvironmentError when something cannot be written.
+/// the settings alone. A training that diverges has a record that says so.
+/// Throws EnvironmentError when something cannot be written.
 std::optional<StudyRecord> run_job(const StudyJob& job, const StudySettings& settings, StudyFolder& folder,
                                    const JobWatch& watch = {});
 

@@ -15,6 +15,7 @@ std::string latex_text(std::string_view text);
 
 /// A table a scenario, a line a learner, under it the paper's line; stars mark what to_paper calls above or below.
 std::string scores_latex(const StudyTables& tables);
+/// Between the two lines that of the shares within the absolute radius of 0.6; no stars.
 std::string accuracy_latex(const StudyTables& tables);
 /// A column a point of the curve.
 std::string blend_latex(const StudyTables& tables);

@@ -177,7 +177,7 @@ std::optional<IntervalCurvesPlot> asked_plot(const StudyTables& tables, const st
 std::optional<AgreementPlot> agreement_plot(const StudyTables& tables, const std::string& scenario) {
   AgreementPlot plot{fmt::format("{}: scores held against the paper's", scenario), {}};
   for (const auto& row : tables.scores) {
-    if (row.scenario != scenario || !row.score || !row.paper) continue;
+    if (row.scenario != scenario || !to_paper(row)) continue;
     const std::string name = learner_title(row.learner);
     auto found =
         std::find_if(plot.learners.begin(), plot.learners.end(), [&](const auto& l) { return l.name == name; });
@@ -193,7 +193,7 @@ std::optional<ShareBarsPlot> accuracy_plot(const StudyTables& tables, const std:
   const auto blocks = accuracy_blocks(tables);
   const auto* found = expert_block(blocks, scenario);
   if (found == nullptr || !found->begun()) return std::nullopt;
-  ShareBarsPlot plot{fmt::format("{}: how often beliefs are right, {}", scenario, data_words(tables)),
+  ShareBarsPlot plot{fmt::format("{}: beliefs within 0.6, {}", scenario, data_words(tables)),
                      "share of steps",
                      tables.data_prey == "released" ? "the paper's" : "",
                      {},
@@ -202,7 +202,8 @@ std::optional<ShareBarsPlot> accuracy_plot(const StudyTables& tables, const std:
   for (const auto& line : found->lines) {
     ShareBarsPlot::Kind kind{learner_title(line.learner), look_of(line.learner), {}};
     for (const auto* row : line.cells)
-      kind.bars.push_back(row == nullptr ? ShareBarsPlot::Bar{} : ShareBarsPlot::Bar{row->accuracy, row->paper});
+      kind.bars.push_back(row == nullptr ? ShareBarsPlot::Bar{}
+                                         : ShareBarsPlot::Bar{within_inferred(*row), row->paper});
     plot.kinds.push_back(std::move(kind));
   }
   return plot;
@@ -218,8 +219,6 @@ void add(std::vector<StudyPicture>& pictures, const std::string& name, const std
          return script_of(plot, format, output);
        }});
 }
-
-constexpr std::array scenarios{"simple_tag", "simple_world"};
 
 }  // namespace
 
@@ -307,7 +306,7 @@ std::string share_bars_script(const ShareBarsPlot& plot, PictureFormat format, c
 std::vector<StudyPicture> study_pictures(const StudyTables& tables) {
   const std::string prefix = file_prefix(tables);
   std::vector<StudyPicture> pictures;
-  for (const std::string scenario : scenarios) {
+  for (const auto& scenario : study_scenarios()) {
     add(pictures, prefix + "scores_" + scenario, agreement_plot(tables, scenario), agreement_script);
     add(pictures, prefix + "blend_" + scenario, blend_plot(tables, scenario), interval_curves_script);
     add(pictures, prefix + "accuracy_" + scenario, accuracy_plot(tables, scenario), share_bars_script);
@@ -318,7 +317,7 @@ std::vector<StudyPicture> study_pictures(const StudyTables& tables) {
 
 std::vector<std::string> study_picture_names(const StudyTables& tables) {
   std::vector<std::string> names;
-  for (const std::string scenario : scenarios)
+  for (const auto& scenario : study_scenarios())
     for (const char* kind : {"scores_", "blend_", "accuracy_", "asked_"})
       names.push_back(file_prefix(tables) + kind + scenario);
   return names;

@@ -24,8 +24,7 @@ constexpr std::array<Property, 5> properties{
 
 std::vector<StudyJob> all_jobs(const StudySettings& settings) {
   std::vector<StudyJob> jobs;
-  const std::array scenarios{"simple_tag", "simple_world"};
-  for (const char* scenario : scenarios) {
+  for (const auto& scenario : study_scenarios()) {
     for (const char* player : {"lead_pursuit", "random_play"})
       jobs.push_back({"released", scenario, "none", player, 1});
     for (const char* level : {"expert", "medium"}) jobs.push_back({"released", scenario, level, "matd3", 1});
@@ -33,7 +32,7 @@ std::vector<StudyJob> all_jobs(const StudySettings& settings) {
     jobs.push_back({"maddpg", scenario, "expert", "matd3", 1});
   }
   const auto learn = [&](const char* data_prey, const char* level, std::uint64_t seed, bool transformers) {
-    for (const char* scenario : scenarios)
+    for (const auto& scenario : study_scenarios())
       for (const auto& learner : study_learners()) {
         const StudyJob job{data_prey, scenario, level, learner, seed};
         const bool extra = learner == "sct-selfconf" && (job.data_prey != "released" || job.level != "expert");
@@ -64,6 +63,11 @@ bool StudyJob::learns() const { return !contains(study_players(), learner); }
 
 bool StudyJob::transformer() const {
   return learner == "madt" || learner == "rmadt" || learner == "sct" || learner == "sct-selfconf";
+}
+
+const std::vector<std::string>& study_scenarios() {
+  static const std::vector<std::string> scenarios{"simple_tag", "simple_world"};
+  return scenarios;
 }
 
 const std::vector<std::string>& study_learners() {
@@ -101,7 +105,7 @@ StudySettings StudySettings::of(Budget budget, std::uint64_t seeds) {
   StudySettings settings;
   settings.budget = budget;
   settings.seeds = seeds;
-  if (budget == Budget::smoke) settings = {budget, 5'000, 64, 16, 16, 1};
+  if (budget == Budget::smoke) settings = {budget, 5'000, 64, 128, 16, 16, 1};
   return settings;
 }
 

@@ -31,6 +31,8 @@ struct StudyJob {
   bool operator==(const StudyJob&) const = default;
 };
 
+/// "simple_tag" and "simple_world".
+const std::vector<std::string>& study_scenarios();
 /// The learners of the paper's table in its order, then sct trained by the paper's own loss.
 const std::vector<std::string>& study_learners();
 /// Who is examined beside them: "matd3" (who made the data), "lead_pursuit" (a rule), "random_play".
@@ -52,6 +54,7 @@ struct StudySettings {
   Budget budget = Budget::small;
   std::size_t transitions = 1'000'000;      ///< of a data set
   std::size_t episodes = 512;               ///< of a reported score
+  std::size_t player_episodes = 8'192;      ///< of a player's that learns nothing: scores are held against them
   std::size_t selection_episodes = 96;      ///< of a target's score
   std::size_t intervention_episodes = 192;  ///< of a forced belief
   std::uint64_t seeds = 3;                  ///< of each learner; levels of which one is enough have one

@@ -16,18 +16,28 @@ constexpr std::string_view format = "folk-mpe-study-1";
 
 Json json_of(const Mean& mean) { return {{"mean", mean.mean}, {"ci95", mean.ci95}}; }
 
+/// A share at each of some radii.
+template <std::size_t size>
+Json json_of(const std::array<double, size>& radii, const std::array<Mean, size>& shares) {
+  Json json = Json::array();
+  for (std::size_t r = 0; r < size; ++r)
+    json.push_back({{"radius", radii[r]}, {"mean", shares[r].mean}, {"ci95", shares[r].ci95}});
+  return json;
+}
+
 Json json_of(const RightBeliefs& beliefs) {
-  Json right = Json::array();
-  for (std::size_t r = 0; r < belief_radii.size(); ++r)
-    right.push_back({{"radius", belief_radii[r]}, {"mean", beliefs.right[r].mean}, {"ci95", beliefs.right[r].ci95}});
-  return {{"right", right}, {"near", json_of(beliefs.near)}, {"distance", json_of(beliefs.distance)}};
+  return {{"right", json_of(belief_radii, beliefs.right)},
+          {"within", json_of(absolute_radii, beliefs.within)},
+          {"distance", json_of(beliefs.distance)}};
 }
 
 Json json_of(const PreyRecord& prey) {
-  Json json{{"prey", prey.prey}, {"return", json_of(prey.predators)}};
+  Json json{{"prey", prey.prey}, {"return", json_of(prey.predators)}, {"batches", prey.batches}};
   if (prey.target) json["target"] = *prey.target;
   if (prey.data_target) json["data_target"] = *prey.data_target;
   if (prey.data_target_predators) json["data_target_return"] = json_of(*prey.data_target_predators);
+  if (prey.own_target) json["own_target"] = *prey.own_target;
+  if (prey.own_target_predators) json["own_target_return"] = json_of(*prey.own_target_predators);
   if (prey.beliefs) json["beliefs"] = json_of(*prey.beliefs);
   for (const auto& asked : prey.asked) {
     Json row{{"target", asked.target}, {"return", json_of(asked.predators)}};
@@ -49,6 +59,12 @@ double number(const Json& json) {
   return value;
 }
 
+/// A JSON library would make something of -1 and 1e300.
+std::uint64_t whole(const Json& json) {
+  if (!json.is_number_unsigned()) throw std::invalid_argument("a number that is not whole");
+  return json.get<std::uint64_t>();
+}
+
 Mean mean_from(const Json& json) {
   const Mean mean{number(json.at("mean")), number(json.at("ci95"))};
   if (mean.ci95 < 0) throw std::invalid_argument("an interval below 0");
@@ -63,15 +79,19 @@ const Json& list(const Json& json, const char* key) {
   return json[key];
 }
 
+template <std::size_t size>
+void read_shares(const Json& json, const std::array<double, size>& radii, std::array<Mean, size>& shares) {
+  if (!json.is_array() || json.size() != size) throw std::invalid_argument("other radii");
+  for (std::size_t r = 0; r < size; ++r) {
+    if (number(json[r].at("radius")) != radii[r]) throw std::invalid_argument("other radii");
+    shares[r] = mean_from(json[r]);
+  }
+}
+
 RightBeliefs beliefs_from(const Json& json) {
   RightBeliefs beliefs;
-  const Json& right = json.at("right");
-  if (!right.is_array() || right.size() != belief_radii.size()) throw std::invalid_argument("other radii");
-  for (std::size_t r = 0; r < belief_radii.size(); ++r) {
-    if (number(right[r].at("radius")) != belief_radii[r]) throw std::invalid_argument("other radii");
-    beliefs.right[r] = mean_from(right[r]);
-  }
-  beliefs.near = mean_from(json.at("near"));
+  read_shares(json.at("right"), belief_radii, beliefs.right);
+  read_shares(json.at("within"), absolute_radii, beliefs.within);
   beliefs.distance = mean_from(json.at("distance"));
   return beliefs;
 }
@@ -80,9 +100,14 @@ PreyRecord prey_from(const Json& json) {
   PreyRecord prey;
   prey.prey = json.at("prey").get<std::string>();
   prey.predators = mean_from(json.at("return"));
+  if (!json.at("batches").is_array()) throw std::invalid_argument("no batches");
+  for (const Json& mean : json["batches"]) prey.batches.push_back(number(mean));
+  if (!prey.batches.empty() && prey.batches.size() != report_batches) throw std::invalid_argument("other batches");
   if (json.contains("target")) prey.target = number(json["target"]);
   if (json.contains("data_target")) prey.data_target = number(json["data_target"]);
   if (json.contains("data_target_return")) prey.data_target_predators = mean_from(json["data_target_return"]);
+  if (json.contains("own_target")) prey.own_target = number(json["own_target"]);
+  if (json.contains("own_target_return")) prey.own_target_predators = mean_from(json["own_target_return"]);
   if (json.contains("beliefs")) prey.beliefs = beliefs_from(json["beliefs"]);
   for (const Json& row : list(json, "asked")) {
     AskedReturn asked{number(row.at("target")), mean_from(row.at("return")), std::nullopt};
@@ -99,12 +124,14 @@ StudyRecord record_from(const Json& json) {
   if (json.at("format").get<std::string>() != format) throw std::invalid_argument("another format");
   StudyRecord record;
   record.job = {json.at("data_prey").get<std::string>(), json.at("scenario").get<std::string>(),
-                json.at("level").get<std::string>(), json.at("learner").get<std::string>(),
-                json.at("seed").get<std::uint64_t>()};
+                json.at("level").get<std::string>(), json.at("learner").get<std::string>(), whole(json.at("seed"))};
   record.budget = json.at("budget").get<std::string>();
+  record.identity = json.at("identity").get<std::string>();
+  record.folk = json.at("folk").get<std::string>();
+  record.diverged = json.at("diverged").get<std::string>();
   record.training = json.at("training").get<std::string>();
-  record.steps = json.at("steps").get<std::uint64_t>();
-  record.episodes = json.at("episodes").get<std::size_t>();
+  record.steps = whole(json.at("steps"));
+  record.episodes = whole(json.at("episodes"));
   record.data_return = number(json.at("data_return"));
   record.policy = json.at("policy").get<std::string>();
   if (!json.at("preys").is_array()) throw std::invalid_argument("no preys");
@@ -127,6 +154,9 @@ std::string record_text(const StudyRecord& record) {
             {"learner", record.job.learner},
             {"seed", record.job.seed},
             {"budget", record.budget},
+            {"identity", record.identity},
+            {"folk", record.folk},
+            {"diverged", record.diverged},
             {"training", record.training},
             {"steps", record.steps},
             {"episodes", record.episodes},

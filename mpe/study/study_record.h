@@ -26,7 +26,8 @@ Mean mean_of(const Estimate& estimate);
 /// How often beliefs were right (EpisodeBeliefs says what the words mean).
 struct RightBeliefs {
   std::array<Mean, belief_radii.size()> right{};
-  Mean near, distance;
+  std::array<Mean, absolute_radii.size()> within{};
+  Mean distance;
   bool operator==(const RightBeliefs&) const = default;
 };
 
@@ -47,14 +48,22 @@ struct ForcedBelief {
   bool operator==(const ForcedBelief&) const = default;
 };
 
+/// A report's episodes are cut into so many batches of successive ones, whose means are kept: jobs of the same seed
+/// meet the same episodes, and are compared batch by batch.
+inline constexpr std::size_t report_batches = 16;
+
 /// One prey that was met. Returns are undiscounted, of one predator.
 struct PreyRecord {
   std::string prey;
   Mean predators;
+  std::vector<double> batches;   ///< mean returns of report_batches parts of the episodes
   std::optional<double> target;  ///< that the reported score was asked for: the best on the selection's episodes
   /// The same for the target that is best against the prey of the data, known without having met this prey.
   std::optional<double> data_target;
   std::optional<Mean> data_target_predators;
+  /// The same for the policy's own target, the data's mean return, which needs no episode at all.
+  std::optional<double> own_target;
+  std::optional<Mean> own_target_predators;
   std::optional<RightBeliefs> beliefs;
   std::vector<AskedReturn> asked;
   std::vector<ForcedBelief> forced;
@@ -64,6 +73,9 @@ struct PreyRecord {
 struct StudyRecord {
   StudyJob job;
   std::string budget;
+  std::string identity;  ///< of the settings and players that it depends on beside the job: study_identity()
+  std::string folk;      ///< version that made it
+  std::string diverged;  ///< why there is no policy; empty: there is one, or none was wanted
   std::string training;  ///< the run's description; empty for players
   std::uint64_t steps = 0;
   std::size_t episodes = 0;       ///< of a reported score

@@ -33,10 +33,33 @@ std::optional<References> references_of(const std::map<std::string, StudyRecord>
   return References{*expert, *random, ReferenceSource::measured};
 }
 
+/// A difference of returns in units of the score.
+Mean in_units(const Mean& difference, const References& references) {
+  const double unit = 100 / (*references.expert - references.random);
+  return {difference.mean * unit, difference.ci95 * std::abs(unit)};
+}
+
 /// A return's mean and interval as a normalised score.
 Mean normalised(const Mean& predators, const References& references) {
-  const double unit = 100 / (*references.expert - references.random);
-  return {(predators.mean - references.random) * unit, predators.ci95 * std::abs(unit)};
+  return in_units({predators.mean - references.random, predators.ci95}, references);
+}
+
+/// Half of Student's 95 % interval in units of the mean's standard error.
+double student(double freedom) { return boost::math::quantile(boost::math::students_t(freedom), 0.975); }
+
+/// The mean of one record's returns less another's against the same prey, batch by batch; nothing where one has none.
+std::optional<Mean> batch_difference(const PreyRecord* one, const PreyRecord* other) {
+  if (one == nullptr || other == nullptr || one->batches.size() != report_batches ||
+      other->batches.size() != report_batches)
+    return std::nullopt;
+  constexpr double count = report_batches;
+  double mean = 0, squares = 0;
+  for (std::size_t b = 0; b < report_batches; ++b) mean += (one->batches[b] - other->batches[b]) / count;
+  for (std::size_t b = 0; b < report_batches; ++b) {
+    const double apart = one->batches[b] - other->batches[b] - mean;
+    squares += apart * apart;
+  }
+  return Mean{mean, student(count - 1) * std::sqrt(squares / (count - 1) / count)};
 }
 
 /// The records of one place in the tables, seed after seed.
@@ -73,11 +96,16 @@ public:
       if (const auto found = records.find(job.name()); found != records.end()) {
         job.seed = 0;
         groups_[job.name()].push_back(&found->second);
+        if (const auto& record = found->second; !record.diverged.empty())
+          tables_.diverged.push_back(fmt::format("{}: {}", record.job.name(), excerpt(record.diverged, 1000)));
       }
       job.seed = 0;
       if (std::find(places.begin(), places.end(), job) == places.end()) places.push_back(job);
     }
-    for (const auto& place : places) add(place);
+    for (const auto& place : places) {
+      add(place);
+      if (place.learner == "sct") add_pairs(place, places);
+    }
   }
 
   StudyTables take() && { return std::move(tables_); }
@@ -92,15 +120,17 @@ private:
     };
     const auto difference = [&](const Mean& returns) -> std::optional<Mean> {
       if (!references) return std::nullopt;
-      const double unit = 100 / (*references->expert - references->random);
-      return Mean{returns.mean * unit, returns.ci95 * std::abs(unit)};
+      return in_units(returns, *references);
     };
     for (const auto& prey : table_preys()) {
       const std::string key = fmt::format("{},{},{},{}", place.scenario, place.level, place.learner, prey);
-      ScoreRow row{place.scenario, place.level, place.learner, prey, {}, {}, {}, {}};
+      ScoreRow row{place.scenario, place.level, place.learner, prey, {}, {}, {}, {}, {}};
       row.score = cell_over(group, prey, [&](const PreyRecord& one) { return score(one.predators); });
       row.at_data_target = cell_over(group, prey, [&](const PreyRecord& one) -> std::optional<Mean> {
         return one.data_target_predators ? score(*one.data_target_predators) : std::nullopt;
+      });
+      row.at_own_target = cell_over(group, prey, [&](const PreyRecord& one) -> std::optional<Mean> {
+        return one.own_target_predators ? score(*one.own_target_predators) : std::nullopt;
       });
       const bool papers = place.data_prey == "released";
       if (const auto found = paper_.scores.find(key); papers && found != paper_.scores.end()) {
@@ -127,6 +157,27 @@ private:
       tables_.data_prey_returns[fmt::format("{}-{}-{}", place.scenario, place.level, place.learner)] = *cell;
   }
 
+  /// `sct` against every other learner of its data.
+  void add_pairs(const StudyJob& sct, const std::vector<StudyJob>& places) {
+    const auto references = references_of(records_, sct.data_prey, sct.scenario);
+    for (const auto& prey : table_preys())
+      for (const auto& learner : study_learners()) {
+        auto other = sct;
+        other.learner = learner;
+        if (other == sct || std::find(places.begin(), places.end(), other) == places.end()) continue;
+        std::vector<Mean> seeds;
+        for (const auto* one : groups_[sct.name()])
+          for (const auto* two : groups_[other.name()]) {
+            if (!references || one->job.seed != two->job.seed) continue;
+            if (const auto difference = batch_difference(against(*one, prey), against(*two, prey)))
+              seeds.push_back(in_units(*difference, *references));
+          }
+        PairedRow row{sct.scenario, sct.level, prey, learner, {}};
+        if (!seeds.empty()) row.difference = cell_of(seeds);
+        tables_.paired.push_back(row);
+      }
+  }
+
   void add_beliefs(const StudyJob& place, const Group& group, const std::string& prey, const std::string& key) {
     AccuracyRow row{place.scenario, place.level, place.learner, prey, {}, {}, {}, {}, {}};
     const auto over = [&](auto&& part) {
@@ -137,7 +188,8 @@ private:
     for (std::size_t r = 0; r < belief_radii.size(); ++r)
       row.right.push_back(over([r](const RightBeliefs& beliefs) { return beliefs.right[r]; }));
     row.accuracy = row.right[paper_radius];
-    row.near = over([](const RightBeliefs& beliefs) { return beliefs.near; });
+    for (std::size_t r = 0; r < absolute_radii.size(); ++r)
+      row.within.push_back(over([r](const RightBeliefs& beliefs) { return beliefs.within[r]; }));
     row.distance = over([](const RightBeliefs& beliefs) { return beliefs.distance; });
     if (const auto found = paper_.accuracies.find(key);
         place.data_prey == "released" && found != paper_.accuracies.end())
@@ -257,7 +309,7 @@ Cell cell_of(std::span<const Mean> seeds) {
   double squares = 0;
   for (const auto& seed : seeds) squares += (seed.mean - cell.mean) * (seed.mean - cell.mean);
   const double error = std::sqrt(squares / (count - 1) / count);
-  cell.ci95 = std::max(cell.ci95, error * boost::math::quantile(boost::math::students_t(count - 1), 0.975));
+  cell.ci95 = std::max(cell.ci95, error * student(count - 1));
   return cell;
 }
 

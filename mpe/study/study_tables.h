@@ -27,15 +27,24 @@ struct ScoreRow {
   std::string scenario, level, learner, prey;
   std::optional<Cell> score;           ///< transformers: at the target that is best against this prey
   std::optional<Cell> at_data_target;  ///< transformers: at the target that is best against the data's prey
+  std::optional<Cell> at_own_target;   ///< transformers: at the data's mean return, which no episode chose
   std::optional<double> paper, paper_sd;
+};
+
+/// The score of sct less that of another learner of the same data, seed by seed over the same episodes: the means of
+/// report_batches parts of them are subtracted one by one, and the interval of a seed is Student's over the parts.
+struct PairedRow {
+  std::string scenario, level, prey, learner;
+  std::optional<Cell> difference;  ///< over the seeds that both have
 };
 
 /// A cell of the accuracy table: the share of steps in which the belief is right at the paper's radius.
 struct AccuracyRow {
   std::string scenario, level, learner, prey;
   std::optional<Cell> accuracy;
-  std::vector<std::optional<Cell>> right;  ///< at each of belief_radii
-  std::optional<Cell> near, distance;
+  std::vector<std::optional<Cell>> right;   ///< at each of belief_radii
+  std::vector<std::optional<Cell>> within;  ///< at each of absolute_radii
+  std::optional<Cell> distance;
   std::optional<double> paper;
 };
 
@@ -71,6 +80,8 @@ struct StudyTables {
   std::vector<BlendRow> blends;
   std::vector<ForcedRow> forced;
   std::vector<AskedRow> asked;
+  std::vector<PairedRow> paired;
+  std::vector<std::string> diverged;              ///< trainings that came to nothing: "job: why"
   std::map<std::string, double> data_returns;     ///< "simple_tag-expert": mean return of a predator in the data
   std::map<std::string, Cell> data_prey_returns;  ///< "simple_tag-expert-bc": return against the data's prey
 };

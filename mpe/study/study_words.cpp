@@ -18,14 +18,6 @@ std::string title_of(const std::array<Titles, size>& titles, std::string_view wo
   return std::string(found == titles.end() ? word : found->second);
 }
 
-std::optional<ToPaper> compared(const std::optional<Cell>& cell, const std::optional<double>& paper,
-                                double paper_half) {
-  if (!cell || !paper) return std::nullopt;
-  const double difference = cell->mean - *paper;
-  if (std::abs(difference) <= cell->ci95 + paper_half) return ToPaper::alike;
-  return difference > 0 ? ToPaper::above : ToPaper::below;
-}
-
 }  // namespace
 
 std::string learner_title(std::string_view learner) {
@@ -72,12 +64,14 @@ double paper_ci95(double sd) {
 }
 
 std::optional<ToPaper> to_paper(const ScoreRow& row) {
-  return compared(row.score, row.paper, paper_ci95(row.paper_sd.value_or(0)));
+  if (!row.score || !row.paper || row.prey == "maddpg") return std::nullopt;
+  const double difference = row.score->mean - *row.paper;
+  if (std::abs(difference) <= row.score->ci95 + paper_ci95(row.paper_sd.value_or(0))) return ToPaper::alike;
+  return difference > 0 ? ToPaper::above : ToPaper::below;
 }
 
-std::optional<ToPaper> to_paper(const AccuracyRow& row) {
-  constexpr double rounding = 0.0005;
-  return compared(row.accuracy, row.paper, rounding);
+std::optional<Cell> within_inferred(const AccuracyRow& row) {
+  return inferred_radius < row.within.size() ? row.within[inferred_radius] : std::nullopt;
 }
 
 }  // namespace folk::mpe

@@ -27,9 +27,13 @@ double paper_ci95(double sd);
 
 /// How a number lies to the paper's: alike unless the two 95 % intervals leave room between them.
 enum class ToPaper { alike, above, below };
-/// Nothing where either is missing. The paper prints no spread of its accuracies: they are taken as exact but for their
-/// rounding to three decimals.
+/// Nothing where either is missing, nor against the prey maddpg: the paper's of that name is another one, whose weights
+/// do not exist.
 std::optional<ToPaper> to_paper(const ScoreRow& row);
-std::optional<ToPaper> to_paper(const AccuracyRow& row);
+
+/// How often a belief lies within the absolute radius that explains the paper's accuracies (beliefs.h).
+inline constexpr std::size_t inferred_radius = 2;
+static_assert(absolute_radii[inferred_radius] == 0.6);
+std::optional<Cell> within_inferred(const AccuracyRow& row);
 
 }  // namespace folk::mpe

@@ -78,7 +78,9 @@ EpisodeBeliefs plain_beliefs(const std::vector<Point>& deeds, const std::vector<
     const std::array radii{0.05, 0.1, 0.2, 0.5};
     for (std::size_t r = 0; r < 4; ++r)
       if (distance < radii[r] * (size < 0.1 ? 0.1 : size)) out.right[r] += 1 / steps;
-    if (distance < 0.1) out.near += 1 / steps;
+    const std::array distances{0.1, 0.3, 0.6};
+    for (std::size_t r = 0; r < 3; ++r)
+      if (distance < distances[r]) out.within[r] += 1 / steps;
     out.distance += distance / steps;
     out.change += thoughts[t].change / steps;
   }
@@ -87,7 +89,7 @@ EpisodeBeliefs plain_beliefs(const std::vector<Point>& deeds, const std::vector<
 
 void expect_near(const EpisodeBeliefs& one, const EpisodeBeliefs& other) {
   for (std::size_t r = 0; r < belief_radii.size(); ++r) EXPECT_NEAR(one.right[r], other.right[r], 1e-12) << r;
-  EXPECT_NEAR(one.near, other.near, 1e-12);
+  for (std::size_t r = 0; r < absolute_radii.size(); ++r) EXPECT_NEAR(one.within[r], other.within[r], 1e-12) << r;
   EXPECT_NEAR(one.distance, other.distance, 1e-12);
   EXPECT_NEAR(one.change, other.change, 1e-12);
 }
@@ -116,7 +118,8 @@ EpisodeBeliefs expect_plain(const std::shared_ptr<const TransformerMind>& mind, 
     expect_near(scores.beliefs[e], plain);
     for (std::size_t r = 0; r < belief_radii.size(); ++r)
       mean.right[r] += plain.right[r] / static_cast<double>(episodes);
-    mean.near += plain.near / static_cast<double>(episodes);
+    for (std::size_t r = 0; r < absolute_radii.size(); ++r)
+      mean.within[r] += plain.within[r] / static_cast<double>(episodes);
     mean.distance += plain.distance / static_cast<double>(episodes);
     mean.change += plain.change / static_cast<double>(episodes);
   }
@@ -130,7 +133,7 @@ TEST(Beliefs, OfNothingAboutAStillPreyAreRightAtEveryRadius) {
   const auto mind = mind_of(testing::zero_transformer());
   for (const auto& episode : score_transformer(tag(), mind, still_player(), {.episodes = 3}, {}).beliefs) {
     for (const double right : episode.right) EXPECT_NEAR(right, 1, 1e-12);
-    EXPECT_NEAR(episode.near, 1, 1e-12);
+    for (const double within : episode.within) EXPECT_NEAR(within, 1, 1e-12);
     EXPECT_EQ(episode.distance, 0);
     EXPECT_EQ(episode.change, 0);
   }
@@ -146,25 +149,30 @@ TEST(Beliefs, HaveARadiusInUnitsOfTheActionButOfATenthAtLeast) {
   EXPECT_NEAR(close.right[1], 0, 1e-12);
   EXPECT_NEAR(close.right[2], 0, 1e-12);
   EXPECT_NEAR(close.right[3], 1, 1e-12);
-  EXPECT_NEAR(close.near, 1, 1e-12);
+  EXPECT_NEAR(close.within[0], 1, 1e-12);
   EXPECT_NEAR(close.distance, 0.03, 1e-6);
   EXPECT_NEAR(about_still(0.0149).right[2], 1, 1e-12);
   EXPECT_NEAR(about_still(0.0099).right[paper_radius], 1, 1e-12);
   EXPECT_NEAR(about_still(0.0101).right[paper_radius], 0, 1e-12);
   EXPECT_NEAR(about_still(0.0049).right[0], 1, 1e-12);
-  EXPECT_NEAR(about_still(0.099).near, 1, 1e-12);
-  EXPECT_NEAR(about_still(0.101).near, 0, 1e-12);
+  EXPECT_NEAR(about_still(0.099).within[0], 1, 1e-12);
+  EXPECT_NEAR(about_still(0.101).within[0], 0, 1e-12);
+  EXPECT_NEAR(about_still(0.299).within[1], 1, 1e-12);
+  EXPECT_NEAR(about_still(0.301).within[1], 0, 1e-12);
+  EXPECT_NEAR(about_still(0.599).within[2], 1, 1e-12);
+  EXPECT_NEAR(about_still(0.601).within[2], 0, 1e-12);
   EXPECT_EQ(belief_radii[paper_radius], 0.1);
 }
 
 TEST(Beliefs, AreCountedAsDefined) {
   const auto zero = expect_plain(mind_of(testing::zero_transformer()), random_player(), BeliefForcing::none, 70);
-  EXPECT_LT(zero.right[3], 0.01);           // a random prey is hardly ever still
+  EXPECT_LT(zero.right[3], 0.01);  // a random prey is hardly ever still
+  EXPECT_NEAR(zero.within[2], 0.36 * 3.14159 / 4, 0.04);
   EXPECT_NEAR(zero.distance, 0.765, 0.02);  // mean distance of a square's points from its middle
   const auto constant = expect_plain(believer(0.6, -0.5), random_player(), BeliefForcing::none, 70);
   for (std::size_t r = 1; r < belief_radii.size(); ++r) EXPECT_GT(constant.right[r], constant.right[r - 1]);
   EXPECT_GT(constant.right[0], 0);
-  EXPECT_NEAR(constant.near, 0.01 * 3.14159 / 4, 0.006);  // the disc's share of the square
+  EXPECT_NEAR(constant.within[0], 0.01 * 3.14159 / 4, 0.006);  // the disc's share of the square
   expect_plain(quick_mind(), random_player(RandomRule::program));
   const auto released = untrained_policy(tag().scenario(), Side::prey, 3, 8);
   expect_plain(quick_mind(selfconf), policy_controller("p", released, Side::prey, tag().scenario()));
@@ -205,14 +213,15 @@ TEST(BeliefSummary, IsTheEstimateOfEachPart) {
   for (std::size_t e = 0; e < 3; ++e) {
     const double x = static_cast<double>(e + 1);
     for (std::size_t r = 0; r < belief_radii.size(); ++r) episodes[e].right[r] = x * static_cast<double>(r + 1);
-    episodes[e].near = 5 * x;
+    for (std::size_t r = 0; r < absolute_radii.size(); ++r) episodes[e].within[r] = x * static_cast<double>(8 + r);
     episodes[e].distance = 6 * x;
     episodes[e].change = 7 * x;
   }
   const auto summary = summarise(std::span<const EpisodeBeliefs>(episodes));
   for (std::size_t r = 0; r < belief_radii.size(); ++r)
     EXPECT_DOUBLE_EQ(summary.right[r].mean, 2 * static_cast<double>(r + 1));
-  EXPECT_DOUBLE_EQ(summary.near.mean, 10);
+  for (std::size_t r = 0; r < absolute_radii.size(); ++r)
+    EXPECT_DOUBLE_EQ(summary.within[r].mean, 2 * static_cast<double>(8 + r));
   EXPECT_DOUBLE_EQ(summary.distance.mean, 12);
   EXPECT_DOUBLE_EQ(summary.change.mean, 14);
   EXPECT_DOUBLE_EQ(summary.change.deviation, 7);
@@ -300,8 +309,17 @@ TEST(Forcing, IsHeldAgainstTheSameEpisodesOnOwnBeliefs) {
   EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
   EXPECT_EQ(shares.back(), 1);
   const auto own = quick_mind({"own", sct::LossMode::teacher, sct::Readout::own});
-  expect_error<UsageError>([&] { force_beliefs(tag(), own, random_player(), {.episodes = 1}, {}); },
+  expect_error<UsageError>([&] { force_beliefs(tag(), own, random_player(), {.episodes = 2}, {}); },
                            "there is nothing to force");
+}
+
+TEST(Forcing, IsRefusedWhereAnEpisodeHasNoOtherBesideIt) {
+  const auto forced = [](std::size_t episodes) {
+    return force_beliefs(tag(), quick_mind(selfconf), random_player(), {.episodes = episodes}, {});
+  };
+  expect_error<UsageError>([&] { forced(1); }, "1 episodes: the last one would have no other beside it");
+  expect_error<UsageError>([&] { forced(65); }, "65 episodes: the last one would have no other beside it");
+  EXPECT_EQ(forced(2).size(), 4U);
 }
 
 }  // namespace

@@ -52,6 +52,7 @@ LearnerChoice choice_of(LearnerKind kind, Budget budget = Budget::smoke) {
   choice.kind = kind;
   choice.budget = budget;
   choice.batch = 20;  // OMAR's is larger than the data
+  choice.level = "expert";
   return choice;
 }
 
@@ -286,8 +287,32 @@ TEST(LearnerLevel, IsTheDatasUnlessItIsGiven) {
   EXPECT_EQ(steps("medium", std::nullopt), 10'000U);
   EXPECT_EQ(steps("random", "medium"), 10'000U);
   EXPECT_EQ(steps("medium", "random"), 100'000U);
-  EXPECT_EQ(steps("", std::nullopt), 10'000U);  // as if they were an expert's
   EXPECT_EQ(steps("", "random"), 100'000U);
+}
+
+TEST(LearnerLevel, MustBeKnownWhereNumbersAreChosenByIt) {
+  const auto choice_without = [](LearnerKind kind, Budget budget) {
+    auto choice = choice_of(kind, budget);
+    choice.level.reset();
+    return choice;
+  };
+  for (const auto kind : learner_kinds)
+    for (const auto budget : {Budget::smoke, Budget::small, Budget::paper}) {
+      const auto choice = choice_without(kind, budget);
+      const std::string part = fmt::format(
+          "the data do not say their level, by which {}'s numbers are chosen; give --level", to_string(kind));
+      const bool omar = kind == LearnerKind::omar || kind == LearnerKind::cql;
+      const bool transformer = !omar && kind != LearnerKind::bc && kind != LearnerKind::ma_bcq;
+      if ((omar && budget != Budget::smoke) || (transformer && budget == Budget::paper))
+        expect_error<UsageError>([&] { learner_steps(small_data(), choice); }, part);
+      else
+        EXPECT_GT(learner_steps(small_data(), choice), 0U) << to_string(kind);
+      if (omar) expect_error<UsageError>([&] { make_learner(small_data(), choice); }, part);
+    }
+  const SmallData said("medium");
+  const auto data = said.data();
+  EXPECT_EQ(learner_steps(data, choice_without(LearnerKind::omar, Budget::paper)),
+            published_omar_steps("simple_tag", "medium"));
 }
 
 // ---- runs --------------------------------------------------------------------------------------------------------

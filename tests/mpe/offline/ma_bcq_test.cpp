@@ -100,7 +100,7 @@ TEST(PerturbationLoss, GradientIsThatOfFiniteDifferences) {
   auto perturbing = any_parameters(random, perturbation.parameters());
   const std::array critics{any_parameters(random, critic.parameters()), any_parameters(random, critic.parameters())};
   const Matrix<double> weights = any_matrix(random, rows, 2).cwiseAbs();
-  const auto input = any_matrix(random, rows, 7) * 2;
+  const Matrix<double> input = any_matrix(random, rows, 7) * 2;
 
   PerturbationTape<double> tape;
   tape.candidates.decoder.prepare(decoder, rows);

@@ -123,8 +123,8 @@ TEST(OfflineTraining, OfNoStepsIsOver) {
 TEST(OfflineTraining, SaysWhenItHasDiverged) {
   auto training = counting(10, "", 2, 4);
   go(training, 3);
-  expect_error<UsageError>([&] { training.step(); },
-                           "training has diverged: the second loss of step 4 is inf; lower the learning rate");
+  expect_error<TrainingDiverged>([&] { training.step(); },
+                                 "training has diverged: the second loss of step 4 is inf; lower the learning rate");
 }
 
 // ---- checkpoints -------------------------------------------------------------------------------------------------

@@ -47,6 +47,12 @@ TEST(StudyBlocks, OtherBlocksHaveTheirColumns) {
   EXPECT_EQ(learners_of(blend_blocks(tables)[0]), (std::vector<std::string>{"sct", "omar", "lead_pursuit"}));
   EXPECT_EQ(forced_blocks(tables)[0].columns, (std::vector<std::string>{"none", "truth"}));
   EXPECT_EQ(learners_of(forced_blocks(tables)[0]), (std::vector<std::string>{"sct, still", "sct-selfconf, still"}));
+  const auto paired = paired_blocks(tables);
+  ASSERT_EQ(paired.size(), 1U);
+  EXPECT_EQ(paired[0].columns, (std::vector<std::string>{"released", "still"}));
+  EXPECT_EQ(learners_of(paired[0]), (std::vector<std::string>{"SCT minus OMAR", "SCT minus MADT"}));
+  EXPECT_EQ(paired[0].lines[1].cells, (std::vector<const PairedRow*>{&tables.paired[1], &tables.paired[3]}));
+  EXPECT_TRUE(paired[0].begun());
   EXPECT_EQ(asked_blocks(tables)[0].columns, (std::vector<std::string>{"80"}));
 }
 

@@ -53,8 +53,9 @@ TEST(StudyCsv, ScoresHaveTheirColumnsFirst) {
   const std::string header = header_of(scores_csv(made_up_tables()));
   EXPECT_TRUE(header.starts_with("scenario,level,learner,prey,score,ci95,seeds,budget,")) << header;
   EXPECT_EQ(header_of(accuracy_csv(made_up_tables())),
-            "scenario,level,learner,prey,accuracy,ci95,seeds,budget,within_5,within_20,within_50,near,distance,paper,"
-            "to_paper");
+            "scenario,level,learner,prey,accuracy,ci95,seeds,budget,within_5,within_20,within_50,within_0.1,"
+            "within_0.3,within_0.6,distance,paper");
+  EXPECT_EQ(header_of(paired_csv(made_up_tables())), "scenario,level,prey,minus,difference,ci95,seeds,budget");
   EXPECT_EQ(header_of(blend_csv(made_up_tables())), "scenario,level,learner,p,score,ci95,seeds,budget");
 }
 
@@ -71,11 +72,14 @@ TEST(StudyCsv, ScoresStandBesideThePapers) {
                           {"budget", "small"},
                           {"at_data_target", "101.5000"},
                           {"at_data_target_ci95", "9.0000"},
+                          {"at_own_target", "99.2500"},
+                          {"at_own_target_ci95", "7.0000"},
                           {"paper", "121.13"},
                           {"paper_sd", "8.25"},
                           {"to_paper", "below"}}));
   EXPECT_EQ(rows[2].at("score"), "0.0000");  // without the sign of what was rounded away
   EXPECT_EQ(rows[2].at("at_data_target"), "-12.5000");
+  EXPECT_EQ(rows[2].at("at_own_target"), "");
   EXPECT_EQ(rows[2].at("to_paper"), "alike");
   EXPECT_EQ(rows[3].at("seeds"), "1");
   EXPECT_EQ(rows[3].at("at_data_target"), "");
@@ -86,27 +90,24 @@ TEST(StudyCsv, ScoresStandBesideThePapers) {
 TEST(StudyCsv, WhatWasNotRunHasNoNumbers) {
   const auto omar = read(scores_csv(made_up_tables()))[0];
   EXPECT_EQ(omar.at("learner"), "omar");
-  for (const char* column : {"score", "ci95", "at_data_target", "at_data_target_ci95", "to_paper"})
+  for (const char* column : {"score", "ci95", "at_data_target", "at_data_target_ci95", "at_own_target", "to_paper"})
     EXPECT_EQ(omar.at(column), "") << column;
   EXPECT_EQ(omar.at("seeds"), "0");
   EXPECT_EQ(omar.at("budget"), "small");
   EXPECT_EQ(omar.at("paper"), "114.25");
   const auto accuracy = read(accuracy_csv(made_up_tables()))[0];
-  for (const char* column : {"accuracy", "ci95", "within_5", "within_20", "within_50", "near", "distance", "paper"})
+  for (const char* column : {"accuracy", "ci95", "within_5", "within_20", "within_50", "within_0.1", "within_0.3",
+                             "within_0.6", "distance", "paper"})
     EXPECT_EQ(accuracy.at(column), "") << column;
   EXPECT_EQ(accuracy.at("seeds"), "0");
 }
 
 TEST(StudyCsv, AccuraciesHaveAllRadii) {
   const auto row = read(accuracy_csv(made_up_tables()))[1];
-  const std::map<std::string, std::string> expected{{"within_5", "0.500000"},
-                                                    {"accuracy", "0.875000"},
-                                                    {"within_20", "0.937500"},
-                                                    {"within_50", "1.000000"},
-                                                    {"near", "0.900000"},
-                                                    {"distance", "0.250000"},
-                                                    {"paper", "1"},
-                                                    {"to_paper", "below"}};
+  const std::map<std::string, std::string> expected{
+      {"within_5", "0.500000"},   {"accuracy", "0.875000"},   {"within_20", "0.937500"},
+      {"within_50", "1.000000"},  {"within_0.1", "0.750000"}, {"within_0.3", "0.812500"},
+      {"within_0.6", "0.984375"}, {"distance", "0.250000"},   {"paper", "1"}};
   for (const auto& [column, value] : expected) EXPECT_EQ(row.at(column), value) << column;
 }
 
@@ -117,6 +118,19 @@ TEST(StudyCsv, OthersHaveTheirNumbers) {
   EXPECT_EQ(blend[3].at("p"), "0.3");
   EXPECT_EQ(blend[3].at("score"), "40.5000");
   EXPECT_EQ(blend[4].at("seeds"), "0");
+  const auto paired = read(paired_csv(tables));
+  ASSERT_EQ(paired.size(), 4U);
+  EXPECT_EQ(paired[1], (Row{{"scenario", "simple_tag"},
+                            {"level", "expert"},
+                            {"prey", "released"},
+                            {"minus", "madt"},
+                            {"difference", "13.2500"},
+                            {"ci95", "2.5000"},
+                            {"seeds", "1"},
+                            {"budget", "small"}}));
+  EXPECT_EQ(paired[2].at("difference"), "");
+  EXPECT_EQ(paired[2].at("seeds"), "0");
+  EXPECT_EQ(paired[3].at("difference"), "0.0000");
   const auto players = read(players_csv(tables));
   ASSERT_EQ(players.size(), 2U);
   EXPECT_EQ(players[0].at("level"), "none");
@@ -151,10 +165,11 @@ TEST(StudyCsv, ReturnsAreOfWhomTheTablesSpeak) {
 TEST(StudyCsv, FilesOfTheSecondTableHaveOtherNames) {
   std::vector<std::string> names;
   for (const auto& file : study_csv_files(made_up_tables())) names.push_back(file.name);
-  EXPECT_EQ(names, (std::vector<std::string>{"scores.csv", "players.csv", "accuracy.csv", "blend.csv",
+  EXPECT_EQ(names, (std::vector<std::string>{"scores.csv", "paired.csv", "players.csv", "accuracy.csv", "blend.csv",
                                              "beliefs_forced.csv", "returns_asked.csv", "returns.csv"}));
   const auto second = study_csv_files(made_up_second_tables());
   EXPECT_EQ(second[0].name, "trained_prey_scores.csv");
+  EXPECT_EQ(second[1].name, "trained_prey_paired.csv");
   EXPECT_EQ(header_of(second[0].text), header_of(scores_csv(made_up_tables())));
   EXPECT_EQ(read(second[0].text)[1].at("paper"), "");
 }

@@ -65,12 +65,15 @@ TEST(StudyPictures, ScoresLieOverThePapers) {
   EXPECT_TRUE(has(text, "x with lines"));
   EXPECT_TRUE(has(text, "title 'SCT'"));
   EXPECT_FALSE(has(text, "MADT"));  // not in the paper
+  auto other = made_up_tables();
+  for (auto& row : other.scores) row.prey = "maddpg";  // whom the paper calls so is another one
+  EXPECT_EQ(script(other, "scores_simple_tag"), "no picture scores_simple_tag");
 }
 
 TEST(StudyPictures, AccuraciesAreBarsWithThePapersLines) {
   const std::string text = script(made_up_tables(), "accuracy_simple_tag");
   // The second of two bars; its interval and the mark over all its width.
-  EXPECT_TRUE(has(text, "\n0.200000 0.875 0.865 0.885 0.360000\n")) << text;
+  EXPECT_TRUE(has(text, "\n0.200000 0.984375 0.979375 0.989375 0.360000\n")) << text;
   EXPECT_TRUE(has(text, "$MARKS << END_OF_MARKS\n0.000000 1 0.400000\nEND_OF_MARKS\n")) << text;
   EXPECT_FALSE(has(text, "RMADT"));
   EXPECT_FALSE(has(script(made_up_second_tables(), "trained_prey_accuracy_simple_tag"), "$MARKS"));

@@ -8,7 +8,7 @@ namespace folk::mpe {
 namespace {
 
 ScoreRow score(double mean, double ci95, double paper, double sd) {
-  return {"simple_tag", "expert", "sct", "still", Cell{mean, ci95, 3}, {}, paper, sd};
+  return {"simple_tag", "expert", "sct", "still", Cell{mean, ci95, 3}, {}, {}, paper, sd};
 }
 
 TEST(StudyWords, ScoresLieToThePaperByBothIntervals) {
@@ -25,15 +25,20 @@ TEST(StudyWords, ScoresLieToThePaperByBothIntervals) {
   EXPECT_EQ(to_paper(row), std::nullopt);
 }
 
-TEST(StudyWords, AccuraciesOfThePaperAreRounded) {
+TEST(StudyWords, NothingIsHeldAgainstAnotherPreyOfTheSameName) {
+  auto row = score(95.9, 2, 100, 10);
+  row.prey = "maddpg";
+  EXPECT_EQ(to_paper(row), std::nullopt);
+}
+
+TEST(StudyWords, BeliefsLieWithinTheRadiusThatExplainsThePapers) {
   AccuracyRow row{"simple_tag", "expert", "sct", "still", Cell{0.7, 0.01, 3}, {}, {}, {}, 0.71};
-  EXPECT_EQ(to_paper(row), ToPaper::alike);
-  row.paper = 0.7104;
-  EXPECT_EQ(to_paper(row), ToPaper::alike);
-  row.paper = 0.711;
-  EXPECT_EQ(to_paper(row), ToPaper::below);
-  row.paper = 0.689;
-  EXPECT_EQ(to_paper(row), ToPaper::above);
+  EXPECT_FALSE(within_inferred(row).has_value());
+  row.within = {Cell{0.1, 0, 3}, Cell{0.3, 0, 3}, {}};
+  EXPECT_FALSE(within_inferred(row).has_value());
+  row.within[2] = Cell{0.6, 0, 3};
+  ASSERT_TRUE(within_inferred(row).has_value());
+  EXPECT_EQ(within_inferred(row)->mean, 0.6);
 }
 
 TEST(StudyWords, NumbersHaveNoSignOfNothing) {
