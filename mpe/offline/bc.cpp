@@ -1,5 +1,6 @@
 #include <folk/games/error.h>
 #include <folk/mpe/data/observation_scale.h>
+#include <folk/mpe/network/setting_ranges.h>
 #include <folk/mpe/offline/bc.h>
 #include <folk/mpe/world/random_stream.h>
 #include <folk/sct/dropout.h>
@@ -38,25 +39,17 @@ sct::AdamWSettings optimiser_settings(const BcSettings& settings) {
 }  // namespace
 
 void require_sound(const BcSettings& settings) {
-  const auto within = [](const char* name, double value, double low, double high) {
-    if (!(value >= low && value <= high))
-      throw UsageError(fmt::format("{} {}: expected a number from {} to {}", name, value, low, high));
-  };
-  const auto count = [](const char* name, std::uint64_t value, std::uint64_t low, std::uint64_t high) {
-    if (value < low || value > high)
-      throw UsageError(fmt::format("{} {}: expected a whole number from {} to {}", name, value, low, high));
-  };
-  count("context", settings.context, 1, 50);  // a policy file's layers have at most 4096 inputs
-  count("hidden", settings.hidden, 1, 4096);
-  count("layers", settings.layers, 1, 15);
-  within("dropout", settings.dropout, 0, 0.99);
-  count("batch", settings.batch, 1, 1 << 20);
-  within("learning-rate", settings.learning_rate, 1e-9, 1);
-  within("weight-decay", settings.weight_decay, 0, 1);
-  count("warmup-steps", settings.warmup_steps, 0, 1'000'000'000);
-  count("decay-steps", settings.decay_steps, 0, 1'000'000'000);
-  within("clip", settings.clip, 1e-9, 1e9);
-  count("threads", settings.threads, 1, 4096);
+  require_count("context", settings.context, 1, 50);  // a policy file's layers have at most 4096 inputs
+  require_count("hidden", settings.hidden, 1, 4096);
+  require_count("layers", settings.layers, 1, 15);
+  require_number("dropout", settings.dropout, 0, 0.99);
+  require_count("batch", settings.batch, 1, 1 << 20);
+  require_number("learning-rate", settings.learning_rate, 1e-9, 1);
+  require_number("weight-decay", settings.weight_decay, 0, 1);
+  require_count("warmup-steps", settings.warmup_steps, 0, 1'000'000'000);
+  require_count("decay-steps", settings.decay_steps, 0, 1'000'000'000);
+  require_number("clip", settings.clip, 1e-9, 1e9);
+  require_count("threads", settings.threads, 1, 4096);
 }
 
 BcLearner::BcLearner(const DataSet& data, const BcSettings& settings)

@@ -1,4 +1,5 @@
 #include <folk/games/error.h>
+#include <folk/mpe/network/setting_ranges.h>
 #include <folk/mpe/offline/ma_bcq.h>
 #include <folk/mpe/world/random_stream.h>
 #include <folk/sct/adamw.h>
@@ -68,24 +69,16 @@ LearningNetwork read_network(sct::RecordReader& reader, const LearningNetwork& h
 }  // namespace
 
 void require_sound(const MaBcqSettings& settings) {
-  const auto within = [](const char* name, double value, double low, double high) {
-    if (!(value >= low && value <= high))
-      throw UsageError(fmt::format("{} {}: expected a number from {} to {}", name, value, low, high));
-  };
-  const auto count = [](const char* name, std::size_t value, std::size_t low, std::size_t high) {
-    if (value < low || value > high)
-      throw UsageError(fmt::format("{} {}: expected a whole number from {} to {}", name, value, low, high));
-  };
-  count("vae-hidden", settings.vae_hidden, 1, 4096);
-  for (const std::size_t units : settings.hidden) count("hidden", units, 1, 4096);
-  within("learning-rate", settings.learning_rate, 1e-9, 1);
-  within("discount", settings.discount, 0, 0.99999);
-  within("averaging", settings.averaging, 1e-9, 1);
-  count("batch", settings.batch, 1, 1 << 20);
-  count("candidates", settings.candidates, 1, 10'000);
-  count("acting-candidates", settings.acting_candidates, 1, 10'000);
-  within("perturbation", settings.perturbation, 0, 2);
-  within("lambda", settings.lambda, 0, 1);
+  require_count("vae-hidden", settings.vae_hidden, 1, 4096);
+  for (const std::size_t units : settings.hidden) require_count("hidden", units, 1, 4096);
+  require_number("learning-rate", settings.learning_rate, 1e-9, 1);
+  require_number("discount", settings.discount, 0, 0.99999);
+  require_number("averaging", settings.averaging, 1e-9, 1);
+  require_count("batch", settings.batch, 1, 1 << 20);
+  require_count("candidates", settings.candidates, 1, 10'000);
+  require_count("acting-candidates", settings.acting_candidates, 1, 10'000);
+  require_number("perturbation", settings.perturbation, 0, 2);
+  require_number("lambda", settings.lambda, 0, 1);
 }
 
 // ---- losses ------------------------------------------------------------------------------------------------------

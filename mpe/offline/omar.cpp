@@ -1,4 +1,5 @@
 #include <folk/games/error.h>
+#include <folk/mpe/network/setting_ranges.h>
 #include <folk/mpe/offline/omar.h>
 #include <folk/mpe/players/policy_file.h>
 #include <folk/mpe/world/random_stream.h>
@@ -63,22 +64,14 @@ std::uint64_t published_omar_steps(std::string_view scenario, std::string_view l
 }
 
 void require_sound(const OmarSettings& settings) {
-  const auto within = [](const char* name, double value, double low, double high) {
-    if (!(value >= low && value <= high))
-      throw UsageError(fmt::format("{} {}: expected a number from {} to {}", name, value, low, high));
-  };
-  const auto count = [](const char* name, std::size_t value, std::size_t low, std::size_t high) {
-    if (value < low || value > high)
-      throw UsageError(fmt::format("{} {}: expected a whole number from {} to {}", name, value, low, high));
-  };
-  within("conservatism", settings.conservatism, 0, 1e6);
-  within("imitation", settings.imitation, 0, 1);
-  count("hidden", settings.hidden, 1, 4096);
-  within("learning-rate", settings.learning_rate, 1e-9, 1);
-  count("batch", settings.batch, 2, 1 << 20);  // the variance of one is none
-  within("discount", settings.discount, 0, 0.99999);
-  within("averaging", settings.averaging, 1e-9, 1);
-  within("clip", settings.clip, 1e-9, 1e9);
+  require_number("conservatism", settings.conservatism, 0, 1e6);
+  require_number("imitation", settings.imitation, 0, 1);
+  require_count("hidden", settings.hidden, 1, 4096);
+  require_number("learning-rate", settings.learning_rate, 1e-9, 1);
+  require_count("batch", settings.batch, 2, 1 << 20);  // the variance of one is none
+  require_number("discount", settings.discount, 0, 0.99999);
+  require_number("averaging", settings.averaging, 1e-9, 1);
+  require_number("clip", settings.clip, 1e-9, 1e9);
 }
 
 struct OmarLearner::Work {

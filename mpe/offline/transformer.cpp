@@ -1,5 +1,6 @@
 #include <folk/games/error.h>
 #include <folk/mpe/data/observation_scale.h>
+#include <folk/mpe/network/setting_ranges.h>
 #include <folk/mpe/offline/transformer.h>
 #include <folk/mpe/offline/transformer_windows.h>
 #include <folk/sct/initial_parameters.h>
@@ -24,18 +25,13 @@ sct::Architecture architecture_of(const Scenario& scenario, const TransformerSet
 }
 
 const TransformerSettings& sound(const TransformerSettings& settings) {
-  const auto within = [](const char* name, double value, double low, double high) {
-    if (!(value >= low && value <= high))
-      throw UsageError(fmt::format("{} {}: expected a number from {} to {}", name, value, low, high));
-  };
   const auto& optimiser = settings.optimiser;
-  if (settings.batch < 1 || settings.batch > 1 << 16)
-    throw UsageError(fmt::format("batch {}: expected a whole number from 1 to {}", settings.batch, 1 << 16));
-  within("dropout", settings.dropout, 0, 0.99);
-  within("return-scale", settings.return_scale, 1e-9, 1e9);
-  within("learning-rate", optimiser.learning_rate, 1e-9, 1);
-  within("weight-decay", optimiser.weight_decay, 0, 1);
-  within("clip", optimiser.clip, 1e-9, 1e9);
+  require_count("batch", settings.batch, 1, 1 << 16);
+  require_number("dropout", settings.dropout, 0, 0.99);
+  require_number("return-scale", settings.return_scale, 1e-9, 1e9);
+  require_number("learning-rate", optimiser.learning_rate, 1e-9, 1);
+  require_number("weight-decay", optimiser.weight_decay, 0, 1);
+  require_number("clip", optimiser.clip, 1e-9, 1e9);
   return settings;
 }
 
