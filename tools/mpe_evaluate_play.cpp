@@ -116,15 +116,8 @@ void require_transformer(const EvaluationSettings& settings, const Evaluation& e
 }
 
 void play_transformer(const EvaluationSettings& settings, const mpe::Layout& layout,
-                      const std::shared_ptr<const mpe::TransformerMind>& mind, const Controller& prey,
-                      const std::function<void(double)>& progress, PreyResult& result) {
-  const double plays = static_cast<double>(1 + settings.targets.size() + (settings.forced_beliefs ? 4 : 0));
-  double done = 0;
-  const auto piece = [&](double weight) {
-    const double begin = done;
-    done += weight;
-    return [&progress, begin, weight, plays](double share) { progress((begin + weight * share) / plays); };
-  };
+                      const std::shared_ptr<const mpe::TransformerMind>& mind, const Controller& prey, Pieces& pieces,
+                      PreyResult& result) {
   TransformerResult transformer;
   transformer.target = mind->policy.return_target;
   if (!settings.targets.empty()) {
@@ -132,15 +125,16 @@ void play_transformer(const EvaluationSettings& settings, const mpe::Layout& lay
     selection.seed = settings.selection_seed;
     selection.place = nullptr;
     transformer.targets = mpe::score_targets(layout, mind, prey, selection, settings.targets,
-                                             piece(static_cast<double>(settings.targets.size())));
+                                             pieces.next(static_cast<double>(settings.targets.size())));
     transformer.target = mpe::best_target(transformer.targets);
   }
   mpe::TransformerPlay play;
   play.target = transformer.target;
-  auto scores = mpe::score_transformer(layout, mind, prey, settings.plan, play, piece(1));
+  auto scores = mpe::score_transformer(layout, mind, prey, settings.plan, play, pieces.next(1));
   if (mind->believes()) transformer.beliefs = mpe::summarise(std::span<const mpe::EpisodeBeliefs>(scores.beliefs));
   if (settings.forced_beliefs)
-    transformer.forced = mpe::force_beliefs(layout, mind, prey, settings.plan, play, piece(4));
+    transformer.forced = mpe::force_beliefs(layout, mind, prey, settings.plan, play,
+                                            pieces.next(static_cast<double>(mpe::belief_forcings.size())));
   result.episodes = std::move(scores.play);
   result.transformer = std::move(transformer);
 }
@@ -159,14 +153,13 @@ Evaluation evaluate(const EvaluationSettings& settings, const std::function<void
       preys.begin(), preys.end(), [](const auto& prey) { return prey.source == ReferenceSource::measured; }));
   const auto expert = measured > 0 ? shipped_expert(settings, evaluation.notes) : std::nullopt;
   const std::size_t references = expert ? 2 : 1;
-  const std::size_t plays = 1 + settings.targets.size() + (settings.forced_beliefs ? 4 : 0);
+  const std::size_t plays = 1 + settings.targets.size() + (settings.forced_beliefs ? mpe::belief_forcings.size() : 0);
   Pieces pieces(plays * preys.size() + references * measured, progress);
   for (const auto& prey : preys) {
     PreyResult result;
     result.prey = prey.name;
     if (evaluation.mind)
-      play_transformer(settings, layout, evaluation.mind, prey.controller, pieces.next(static_cast<double>(plays)),
-                       result);
+      play_transformer(settings, layout, evaluation.mind, prey.controller, pieces, result);
     else
       result.episodes = score_episodes(layout, {predators, prey.controller}, settings.plan, pieces.next(1));
     result.summary = mpe::summarise(result.episodes);

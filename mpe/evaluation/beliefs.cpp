@@ -116,8 +116,6 @@ double best_target(std::span<const TargetScore> scores) {
 std::vector<ForcingScore> force_beliefs(const Layout& layout, const std::shared_ptr<const TransformerMind>& mind,
                                         const Controller& prey, const EpisodePlan& plan, const TransformerPlay& play,
                                         const std::function<void(double)>& progress) {
-  constexpr std::array forcings{BeliefForcing::none, BeliefForcing::truth, BeliefForcing::other_episode,
-                                BeliefForcing::zero};
   if (plan.episodes % block_lanes == 1)
     throw UsageError(
         fmt::format("{} episodes: the last one would have no other beside it whose truth could be believed; give one "
@@ -125,12 +123,12 @@ std::vector<ForcingScore> force_beliefs(const Layout& layout, const std::shared_
                     plan.episodes));
   std::vector<ForcingScore> rows;
   std::vector<EpisodeScore> free;
-  for (const auto forcing : forcings) {
+  for (const auto forcing : belief_forcings) {
     TransformerPlay forced = play;
     forced.forcing = forcing;
     const double done = static_cast<double>(rows.size());
     const auto scores = score_transformer(layout, mind, prey, plan, forced, [&](double fraction) {
-      if (progress) progress((done + fraction) / static_cast<double>(forcings.size()));
+      if (progress) progress((done + fraction) / static_cast<double>(belief_forcings.size()));
     });
     if (forcing == BeliefForcing::none) free = scores.play;
     std::vector<double> differences;

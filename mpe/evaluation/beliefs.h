@@ -70,6 +70,10 @@ std::vector<TargetScore> score_targets(const Layout& layout, const std::shared_p
 /// The target with the highest mean, of equals the first. Throws UsageError when there is none.
 double best_target(std::span<const TargetScore> scores);
 
+/// The ways of forcing that are compared, the own belief first.
+inline constexpr std::array belief_forcings{BeliefForcing::none, BeliefForcing::truth, BeliefForcing::other_episode,
+                                            BeliefForcing::zero};
+
 /// What became of the play when beliefs were forced, held against the same episodes on the own beliefs.
 struct ForcingScore {
   BeliefForcing forcing = BeliefForcing::none;

@@ -225,8 +225,7 @@ private:
         if (forced.forcing == to_string(forcing)) return &forced;
       return nullptr;
     };
-    for (const auto forcing :
-         {BeliefForcing::none, BeliefForcing::truth, BeliefForcing::other_episode, BeliefForcing::zero}) {
+    for (const auto forcing : belief_forcings) {
       ForcedRow row{place.scenario, place.level, place.learner, prey, std::string(to_string(forcing)), {}, {}, {}};
       row.score = cell_over(group, prey, [&](const PreyRecord& one) -> std::optional<Mean> {
         const auto* forced = forced_by(one, forcing);
