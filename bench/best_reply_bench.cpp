@@ -1,8 +1,8 @@
 // Best replies and gaps: the figures of docs/performance.md. Ratios within one run are what counts.
 
 #include <benchmark/benchmark.h>
-#include <folk/analysis/best_reply.h>
-#include <folk/analysis/equilibrium_check.h>
+#include <folk/analysis/equilibria/equilibrium_check.h>
+#include <folk/analysis/replies/best_reply.h>
 #include <folk/games/random.h>
 #include <folk/strategies/registry.h>
 

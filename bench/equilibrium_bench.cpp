@@ -1,7 +1,7 @@
 // Equilibrium checks: the figures of docs/performance.md. Ratios within one run are what counts: machines are noisy.
 
 #include <benchmark/benchmark.h>
-#include <folk/analysis/thresholds.h>
+#include <folk/analysis/thresholds/thresholds.h>
 #include <folk/strategies/registry.h>
 
 #include <vector>

@@ -2,14 +2,14 @@
 // an update of MATD3 beside matrix products of its shapes and PyTorch. Ratios within one run are what counts.
 
 #include <benchmark/benchmark.h>
-#include <folk/analysis/parallel.h>
+#include <folk/analysis/play/parallel.h>
 #include <folk/mpe/evaluation/episodes.h>
 #include <folk/mpe/online/learner.h>
 #include <folk/mpe/players/policy_file.h>
 #include <folk/mpe/players/scripted.h>
 #include <folk/mpe/players/transformer_player.h>
 #include <folk/mpe/world/batch.h>
-#include <folk/sct/initial_parameters.h>
+#include <folk/sct/network/initial_parameters.h>
 
 #include <algorithm>
 #include <array>

@@ -1,12 +1,12 @@
 // Training steps of the self-confirming transformer beside the matrix products that they consist of, and its play.
 
 #include <benchmark/benchmark.h>
-#include <folk/analysis/parallel.h>
-#include <folk/analysis/tournament.h>
-#include <folk/sct/initial_parameters.h>
-#include <folk/sct/sct_player.h>
-#include <folk/sct/tournament_data.h>
-#include <folk/sct/trainer.h>
+#include <folk/analysis/play/parallel.h>
+#include <folk/analysis/tournament/tournament.h>
+#include <folk/sct/data/tournament_data.h>
+#include <folk/sct/network/initial_parameters.h>
+#include <folk/sct/policy/sct_player.h>
+#include <folk/sct/training/trainer.h>
 #include <folk/strategies/registry.h>
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // The figures of docs/performance.md. Ratios within one run are what counts: machines are noisy.
 
 #include <benchmark/benchmark.h>
-#include <folk/analysis/cycle_table.h>
-#include <folk/analysis/deterministic_play.h>
-#include <folk/analysis/tournament.h>
+#include <folk/analysis/play/cycle_table.h>
+#include <folk/analysis/play/deterministic_play.h>
+#include <folk/analysis/tournament/tournament.h>
 #include <folk/strategies/registry.h>
 
 namespace folk {

@@ -56,9 +56,11 @@ function(folk_library name)
   endif()
 endfunction()
 
-# folk_program(ipd-match ipd_match.cpp): a program in build/bin/.
+# folk_program(ipd-match): a program in build/bin/, from all sources of ipd_match/.
 function(folk_program name)
-  add_executable(${name} ${ARGN})
+  string(REPLACE "-" "_" folder ${name})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+  add_executable(${name} ${sources})
   folk_compile_options(${name})
   folk_precompile(${name} <boost/program_options.hpp> <nlohmann/json.hpp>)
   target_link_libraries(${name} PRIVATE folk_program_support)

@@ -2,7 +2,7 @@
 // What a data set is: its metadata.json.
 
 #include <folk/mpe/world/scenario.h>
-#include <folk/sct/npy_file.h>
+#include <folk/sct/files/npy_file.h>
 
 #include <cstddef>
 #include <cstdint>

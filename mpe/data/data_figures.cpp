@@ -1,8 +1,8 @@
-#include <folk/analysis/parallel.h>
-#include <folk/analysis/signature.h>
+#include <folk/analysis/play/parallel.h>
+#include <folk/analysis/play/signature.h>
 #include <folk/games/error.h>
 #include <folk/mpe/data/data_figures.h>
-#include <folk/sct/little_endian.h>
+#include <folk/sct/files/little_endian.h>
 
 #include <fmt/format.h>
 

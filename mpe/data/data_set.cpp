@@ -1,4 +1,4 @@
-#include <folk/analysis/parallel.h>
+#include <folk/analysis/play/parallel.h>
 #include <folk/games/error.h>
 #include <folk/mpe/data/data_set.h>
 

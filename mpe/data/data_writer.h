@@ -3,8 +3,8 @@
 
 #include <folk/mpe/data/data_layout.h>
 #include <folk/mpe/data/episode_rows.h>
-#include <folk/sct/npy_file.h>
-#include <folk/strategies/file_descriptor.h>
+#include <folk/sct/files/npy_file.h>
+#include <folk/strategies/programs/file_descriptor.h>
 
 #include <cstddef>
 #include <filesystem>

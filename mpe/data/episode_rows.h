@@ -3,7 +3,7 @@
 
 #include <folk/mpe/data/data_layout.h>
 #include <folk/mpe/evaluation/episodes.h>
-#include <folk/sct/npy_file.h>
+#include <folk/sct/files/npy_file.h>
 
 #include <cstddef>
 #include <functional>

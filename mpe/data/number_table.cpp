@@ -1,7 +1,7 @@
 #include <folk/games/error.h>
 #include <folk/mpe/data/number_table.h>
-#include <folk/sct/little_endian.h>
-#include <folk/sct/npy_number.h>
+#include <folk/sct/files/little_endian.h>
+#include <folk/sct/files/npy_number.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

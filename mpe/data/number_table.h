@@ -1,7 +1,7 @@
 #pragma once
 // The numbers of an .npy file as rows, read where they lie: nothing is copied until a row is asked for.
 
-#include <folk/sct/npy_file.h>
+#include <folk/sct/files/npy_file.h>
 
 #include <cstddef>
 #include <optional>

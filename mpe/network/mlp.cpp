@@ -1,7 +1,7 @@
 #include <folk/games/error.h>
 #include <folk/mpe/network/mlp.h>
 #include <folk/mpe/world/random_stream.h>
-#include <folk/sct/gemm.h>
+#include <folk/sct/network/gemm.h>
 
 #include <cmath>
 #include <cstring>

@@ -1,7 +1,7 @@
 #pragma once
 // Fully connected networks with ReLU between their layers: the actors and critics of the particle world.
 
-#include <folk/sct/matrix.h>
+#include <folk/sct/network/matrix.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -3,7 +3,7 @@
 #include <folk/mpe/network/setting_ranges.h>
 #include <folk/mpe/offline/bc.h>
 #include <folk/mpe/world/random_stream.h>
-#include <folk/sct/dropout.h>
+#include <folk/sct/network/dropout.h>
 
 #include <fmt/format.h>
 

@@ -1,12 +1,12 @@
 #pragma once
 // Behaviour cloning (BC): a network that says what the predators did next after the last steps of what they observed.
 
-#include <folk/analysis/workers.h>
+#include <folk/analysis/play/workers.h>
 #include <folk/mpe/data/data_set.h>
 #include <folk/mpe/offline/bc_loss.h>
 #include <folk/mpe/offline/offline_learner.h>
 #include <folk/mpe/players/window_policy.h>
-#include <folk/sct/adamw.h>
+#include <folk/sct/training/adamw.h>
 
 #include <cstddef>
 #include <cstdint>

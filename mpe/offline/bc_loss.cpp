@@ -1,5 +1,5 @@
 #include <folk/mpe/offline/bc_loss.h>
-#include <folk/sct/gemm.h>
+#include <folk/sct/network/gemm.h>
 
 #include <algorithm>
 #include <cmath>

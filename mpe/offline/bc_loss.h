@@ -1,7 +1,7 @@
 #pragma once
 // The loss of behaviour cloning, and its gradient: how far a network's actions are from those that were taken.
 
-#include <folk/analysis/workers.h>
+#include <folk/analysis/play/workers.h>
 #include <folk/mpe/network/mlp.h>
 
 #include <vector>

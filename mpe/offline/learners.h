@@ -3,8 +3,8 @@
 
 #include <folk/mpe/data/data_set.h>
 #include <folk/mpe/offline/offline_learner.h>
-#include <folk/sct/architecture.h>
-#include <folk/sct/policy.h>
+#include <folk/sct/network/architecture.h>
+#include <folk/sct/policy/policy.h>
 
 #include <array>
 #include <cstddef>

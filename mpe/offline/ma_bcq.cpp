@@ -2,7 +2,7 @@
 #include <folk/mpe/network/setting_ranges.h>
 #include <folk/mpe/offline/ma_bcq.h>
 #include <folk/mpe/world/random_stream.h>
-#include <folk/sct/adamw.h>
+#include <folk/sct/training/adamw.h>
 
 #include <fmt/format.h>
 

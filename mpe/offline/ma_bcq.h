@@ -9,7 +9,7 @@
 // state's candidate is each predator's own best; the critics learn from the error of the mixed value alone; the
 // perturbations ascend the mixed value of all six.
 
-#include <folk/analysis/workers.h>
+#include <folk/analysis/play/workers.h>
 #include <folk/mpe/data/data_set.h>
 #include <folk/mpe/offline/action_vae.h>
 #include <folk/mpe/offline/mixer.h>

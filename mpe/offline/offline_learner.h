@@ -1,7 +1,7 @@
 #pragma once
 // What learns from a data set, one gradient step after another, never meeting the world.
 
-#include <folk/sct/record_bytes.h>
+#include <folk/sct/files/record_bytes.h>
 
 #include <cstdint>
 #include <map>

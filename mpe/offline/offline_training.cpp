@@ -1,7 +1,7 @@
 #include <folk/games/error.h>
 #include <folk/mpe/offline/offline_training.h>
-#include <folk/sct/checkpoint.h>
-#include <folk/sct/record_bytes.h>
+#include <folk/sct/files/record_bytes.h>
+#include <folk/sct/training/checkpoint.h>
 
 #include <fmt/format.h>
 

@@ -2,11 +2,11 @@
 // OMAR (Pan, Huang, Ma & Xu, "Plan Better Amid Conservatism", ICML 2022) and, as the case without its search,
 // conservative Q-learning (CQL): each predator learns for itself from its own rows of the data.
 
-#include <folk/analysis/workers.h>
+#include <folk/analysis/play/workers.h>
 #include <folk/mpe/data/data_set.h>
 #include <folk/mpe/offline/offline_learner.h>
 #include <folk/mpe/offline/omar_loss.h>
-#include <folk/sct/adamw.h>
+#include <folk/sct/training/adamw.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -2,7 +2,7 @@
 // An offline training run with a folder in which it keeps itself.
 
 #include <folk/mpe/offline/offline_training.h>
-#include <folk/sct/checkpoint_files.h>
+#include <folk/sct/files/checkpoint_files.h>
 
 #include <cstdint>
 #include <functional>

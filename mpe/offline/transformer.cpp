@@ -3,7 +3,7 @@
 #include <folk/mpe/network/setting_ranges.h>
 #include <folk/mpe/offline/transformer.h>
 #include <folk/mpe/offline/transformer_windows.h>
-#include <folk/sct/initial_parameters.h>
+#include <folk/sct/network/initial_parameters.h>
 
 #include <fmt/format.h>
 

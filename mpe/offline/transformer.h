@@ -4,9 +4,9 @@
 #include <folk/mpe/data/data_set.h>
 #include <folk/mpe/offline/offline_learner.h>
 #include <folk/mpe/players/transformer_policy.h>
-#include <folk/sct/adamw.h>
-#include <folk/sct/batch_gradient.h>
-#include <folk/sct/network.h>
+#include <folk/sct/network/network.h>
+#include <folk/sct/training/adamw.h>
+#include <folk/sct/training/batch_gradient.h>
 
 #include <cstddef>
 #include <cstdint>

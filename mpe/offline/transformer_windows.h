@@ -3,7 +3,7 @@
 
 #include <folk/mpe/data/data_set.h>
 #include <folk/mpe/network/observation_scale.h>
-#include <folk/sct/batch.h>
+#include <folk/sct/network/batch.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -1,11 +1,11 @@
 #pragma once
 // Deterministic policy gradients with centralised (or own) critics for several agents: MADDPG and MATD3.
 
-#include <folk/analysis/workers.h>
+#include <folk/analysis/play/workers.h>
 #include <folk/mpe/network/policy_network.h>
 #include <folk/mpe/online/replay_memory.h>
 #include <folk/mpe/online/settings.h>
-#include <folk/sct/adamw.h>
+#include <folk/sct/training/adamw.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
-#include <folk/analysis/gnuplot_script.h>
-#include <folk/analysis/render.h>
+#include <folk/analysis/pictures/gnuplot_script.h>
+#include <folk/analysis/pictures/render.h>
 #include <folk/games/error.h>
 #include <folk/games/text_file.h>
 #include <folk/mpe/pictures/draw_episode.h>

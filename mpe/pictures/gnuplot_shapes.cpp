@@ -1,4 +1,4 @@
-#include <folk/analysis/gnuplot_script.h>
+#include <folk/analysis/pictures/gnuplot_script.h>
 #include <folk/mpe/pictures/gnuplot_shapes.h>
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #pragma once
 // Shapes as a gnuplot script.
 
-#include <folk/analysis/render.h>
+#include <folk/analysis/pictures/render.h>
 #include <folk/mpe/pictures/display_list.h>
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 #pragma once
 // The picture of how agents learned: mean return over the episodes played, a line a run.
 
-#include <folk/analysis/render.h>
+#include <folk/analysis/pictures/render.h>
 
 #include <filesystem>
 #include <string>

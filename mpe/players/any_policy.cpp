@@ -4,7 +4,7 @@
 #include <folk/mpe/players/policy_file.h>
 #include <folk/mpe/players/transformer_player.h>
 #include <folk/mpe/players/window_policy.h>
-#include <folk/sct/safetensors.h>
+#include <folk/sct/files/safetensors.h>
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 #include <folk/games/error.h>
 #include <folk/mpe/players/exec_player.h>
 #include <folk/mpe/world/random_stream.h>
-#include <folk/strategies/child_process.h>
-#include <folk/strategies/exec_player.h>
+#include <folk/strategies/programs/child_process.h>
+#include <folk/strategies/programs/exec_player.h>
 #include <folk/strategies/quoted_text.h>
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include <folk/games/error.h>
 #include <folk/mpe/players/policy_tensors.h>
-#include <folk/sct/little_endian.h>
+#include <folk/sct/files/little_endian.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

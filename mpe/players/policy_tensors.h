@@ -3,7 +3,7 @@
 // layer by layer.
 
 #include <folk/mpe/network/policy_network.h>
-#include <folk/sct/safetensors.h>
+#include <folk/sct/files/safetensors.h>
 
 #include <cstdint>
 #include <map>

@@ -1,6 +1,6 @@
 #include <folk/games/error.h>
 #include <folk/mpe/players/transformer_policy.h>
-#include <folk/sct/network_file.h>
+#include <folk/sct/network/network_file.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

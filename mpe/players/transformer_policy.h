@@ -3,13 +3,13 @@
 //
 // As a file: safetensors; metadata "format": "folk-mpe-transformer-1", "scenario", "loss_mode", "scale_mean" and
 // "scale_deviation" (a number a predator), "return_scale", "return_target", the architecture's keys as in policies of
-// repeated games (sct/network_file.h), "checksum", and notes on how it was made; tensors as the published program names
-// them.
+// repeated games (sct/network/network_file.h), "checksum", and notes on how it was made; tensors as the published
+// program names them.
 
 #include <folk/mpe/network/observation_scale.h>
 #include <folk/mpe/world/scenario.h>
-#include <folk/sct/architecture.h>
-#include <folk/sct/policy.h>
+#include <folk/sct/network/architecture.h>
+#include <folk/sct/policy/policy.h>
 
 #include <map>
 #include <string>

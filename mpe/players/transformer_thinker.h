@@ -3,8 +3,8 @@
 
 #include <folk/mpe/network/mlp.h>
 #include <folk/mpe/players/transformer_policy.h>
-#include <folk/sct/heads.h>
-#include <folk/sct/stream.h>
+#include <folk/sct/network/heads.h>
+#include <folk/sct/network/stream.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include <folk/analysis/parallel.h>
+#include <folk/analysis/play/parallel.h>
 #include <folk/mpe/study/study.h>
 
 #include <atomic>

@@ -1,4 +1,4 @@
-#include <folk/analysis/signature.h>
+#include <folk/analysis/play/signature.h>
 #include <folk/games/error.h>
 #include <folk/games/text_file.h>
 #include <folk/mpe/data/collect.h>

@@ -9,7 +9,7 @@
 #include <folk/mpe/data/data_set.h>
 #include <folk/mpe/study/study_plan.h>
 #include <folk/mpe/study/study_record.h>
-#include <folk/sct/checkpoint_files.h>
+#include <folk/sct/files/checkpoint_files.h>
 
 #include <filesystem>
 #include <functional>

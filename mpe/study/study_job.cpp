@@ -1,4 +1,4 @@
-#include <folk/analysis/signature.h>
+#include <folk/analysis/play/signature.h>
 #include <folk/games/error.h>
 #include <folk/games/text_file.h>
 #include <folk/mpe/data/data_figures.h>
@@ -7,7 +7,7 @@
 #include <folk/mpe/players/names.h>
 #include <folk/mpe/players/policy_file.h>
 #include <folk/mpe/study/study_job.h>
-#include <folk/sct/safetensors.h>
+#include <folk/sct/files/safetensors.h>
 
 #include <fmt/format.h>
 

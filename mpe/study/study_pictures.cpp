@@ -1,4 +1,4 @@
-#include <folk/analysis/gnuplot_script.h>
+#include <folk/analysis/pictures/gnuplot_script.h>
 #include <folk/mpe/study/study_blocks.h>
 #include <folk/mpe/study/study_pictures.h>
 #include <folk/mpe/study/study_words.h>

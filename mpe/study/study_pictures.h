@@ -1,7 +1,7 @@
 #pragma once
 // The study's pictures, by gnuplot.
 
-#include <folk/analysis/render.h>
+#include <folk/analysis/pictures/render.h>
 #include <folk/mpe/study/study_tables.h>
 
 #include <filesystem>

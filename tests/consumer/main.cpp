@@ -1,6 +1,6 @@
 // What a program outside Folk writes: a tournament of three strategies. Exits 0 when it comes out as it must.
 
-#include <folk/analysis/tournament.h>
+#include <folk/analysis/tournament/tournament.h>
 #include <folk/strategies/registry.h>
 
 #include <cstdio>

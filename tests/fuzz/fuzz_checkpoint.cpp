@@ -1,10 +1,10 @@
 // parse_checkpoint: whatever is read is written and read back as the same bytes. Most changes to a checkpoint end at
 // its checksum; the mutator here changes a few bytes and gives them the right one.
 
-#include <folk/analysis/signature.h>
+#include <folk/analysis/play/signature.h>
 #include <folk/games/random.h>
-#include <folk/sct/checkpoint.h>
-#include <folk/sct/little_endian.h>
+#include <folk/sct/files/little_endian.h>
+#include <folk/sct/training/checkpoint.h>
 
 #include <algorithm>
 #include <iterator>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t word = 8;
 
-/// The checksum as sct/checkpoint.h has it: over whole words, then over the bytes that are left.
+/// The checksum as sct/training/checkpoint.h has it: over whole words, then over the bytes that are left.
 std::string with_checksum(std::string bytes) {
   folk::Signature signature;
   std::size_t at = 0;

@@ -5,7 +5,7 @@
 #include <folk/games/random.h>
 #include <folk/mpe/data/data_figures.h>
 #include <folk/mpe/data/data_set.h>
-#include <folk/sct/npy_file.h>
+#include <folk/sct/files/npy_file.h>
 
 #include <cmath>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // parse_reply: whatever a program on the other end of a pipe answers is a move, perhaps with a probability, or refused.
 
-#include <folk/strategies/exec_player.h>
+#include <folk/strategies/programs/exec_player.h>
 
 #include "fuzz.h"
 

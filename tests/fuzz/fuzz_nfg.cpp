@@ -1,6 +1,6 @@
 // read_nfg: whatever is read is written in both forms and read back as the same game.
 
-#include <folk/games/nfg.h>
+#include <folk/games/stage_games/nfg.h>
 
 #include "fuzz.h"
 

@@ -1,6 +1,6 @@
 // parse_npy: whatever is read is written and read back as the same array.
 
-#include <folk/sct/npy_file.h>
+#include <folk/sct/files/npy_file.h>
 
 #include <bit>
 #include <cstdint>

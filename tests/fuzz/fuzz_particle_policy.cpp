@@ -9,7 +9,7 @@
 #include <folk/mpe/players/transformer_policy.h>
 #include <folk/mpe/players/window_policy.h>
 #include <folk/mpe/world/batch.h>
-#include <folk/sct/safetensors.h>
+#include <folk/sct/files/safetensors.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // header's length or at its checksum; the mutator here makes changes that go deeper and mends both.
 
 #include <folk/games/random.h>
-#include <folk/sct/policy_file.h>
+#include <folk/sct/policy/policy_file.h>
 
 #include <algorithm>
 #include <bit>

@@ -16,16 +16,16 @@ IN_ORDER = {
     "strategies/player.h": HEADER + "#include <folk/games/move.h>\n",
     "strategies/player.cpp": "#include <folk/strategies/player.h>\nint f() { return 0; }  // never calls exit()\n",
     "analysis/CMakeLists.txt": "folk_library(analysis DEPENDS folk::strategies PRIVATE_DEPENDS Eigen3::Eigen)",
-    "analysis/tournament.h": HEADER + "#include <folk/games/move.h>\n#include <folk/strategies/player.h>\n",
+    "analysis/tournament/tournament.h": HEADER + "#include <folk/games/move.h>\n#include <folk/strategies/player.h>\n",
     "sct/CMakeLists.txt": "folk_library(sct DEPENDS folk::analysis)",
     "mpe/CMakeLists.txt": "folk_library(mpe DEPENDS folk::sct)",
     "mpe/world/batch.h": HEADER,
     "mpe/players/player.h": HEADER + "#include <folk/mpe/world/batch.h>\n",
     "mpe/online/learner.h": HEADER + "#include <folk/mpe/players/player.h>\n",
     "mpe/data/data_set.h": HEADER,
-    "tools/program.h": HEADER + "#include <folk/analysis/tournament.h>\n",
-    "tools/main.cpp": '#include <folk/analysis/tournament.h>\n#include "program.h"\nint main() { std::cout << 1; }\n',
-    "build/games/core/wrong.h": "#include <folk/tools/program.h>\n",
+    "tools/program/program.h": HEADER + "#include <folk/analysis/tournament/tournament.h>\n",
+    "tools/main.cpp": '#include <folk/analysis/tournament/tournament.h>\n#include "program.h"\nint main() { std::cout << 1; }\n',
+    "build/games/core/wrong.h": "#include <folk/tools/program/program.h>\n",
 }
 
 
@@ -63,11 +63,11 @@ class HouseTest(unittest.TestCase):
         self.assert_one({"mpe/misplaced/wrong.cpp": ""}, "mpe/misplaced/wrong.cpp: mpe has the wings")
 
     def test_a_library_that_includes_a_tool(self):
-        self.assert_one({"analysis/wrong.cpp": "\n#include <folk/tools/program.h>\n"},
+        self.assert_one({"analysis/wrong.cpp": "\n#include <folk/tools/program/program.h>\n"},
                         "analysis/wrong.cpp:2: analysis includes tools")
 
     def test_a_commented_include_is_none(self):
-        self.assertEqual(found_with({"games/a.cpp": "// #include <folk/analysis/tournament.h>\n"}), [])
+        self.assertEqual(found_with({"games/a.cpp": "// #include <folk/analysis/tournament/tournament.h>\n"}), [])
 
     def test_a_quoted_include_in_a_library(self):
         self.assert_one({"strategies/wrong.cpp": '#include "player.h"\n'}, "form <folk/FOLDER/FILE.h>")
@@ -84,7 +84,7 @@ class HouseTest(unittest.TestCase):
 
     def test_an_include_that_is_not_linked(self):
         self.assert_one({"analysis/CMakeLists.txt": "folk_library(analysis DEPENDS folk::games)  # folk::strategies"},
-                        "analysis/tournament.h: includes strategies")
+                        "analysis/tournament/tournament.h: includes strategies")
 
     def test_a_folder_without_a_meaning(self):
         for name in ("util", "common", "core", "misc"):

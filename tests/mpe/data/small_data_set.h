@@ -5,7 +5,7 @@
 #include <folk/mpe/data/data_set.h>
 #include <folk/mpe/evaluation/episode_record.h>
 #include <folk/mpe/players/scripted.h>
-#include <folk/sct/npy_file.h>
+#include <folk/sct/files/npy_file.h>
 #include <unistd.h>
 
 #include <algorithm>

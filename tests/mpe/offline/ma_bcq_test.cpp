@@ -2,7 +2,7 @@
 
 #include <folk/mpe/offline/ma_bcq.h>
 #include <folk/mpe/world/random_stream.h>
-#include <folk/sct/record_bytes.h>
+#include <folk/sct/files/record_bytes.h>
 
 #include <gtest/gtest.h>
 

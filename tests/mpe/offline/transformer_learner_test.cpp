@@ -3,8 +3,8 @@
 #include <folk/mpe/data/observation_scale.h>
 #include <folk/mpe/offline/transformer.h>
 #include <folk/mpe/offline/transformer_windows.h>
-#include <folk/sct/initial_parameters.h>
-#include <folk/sct/self_confirming_loss.h>
+#include <folk/sct/network/initial_parameters.h>
+#include <folk/sct/training/self_confirming_loss.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <folk/analysis/render.h>
+#include <folk/analysis/pictures/render.h>
 #include <folk/games/text_file.h>
 #include <folk/mpe/pictures/draw_episode.h>
 #include <folk/mpe/pictures/episode_animation.h>

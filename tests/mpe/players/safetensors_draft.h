@@ -1,7 +1,7 @@
 #pragma once
 // A safetensors file by its parts, to be changed and put together again.
 
-#include <folk/sct/safetensors.h>
+#include <folk/sct/files/safetensors.h>
 
 #include <cstddef>
 #include <cstdint>

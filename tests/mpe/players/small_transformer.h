@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "sct/random_network.h"
+#include "sct/network/random_network.h"
 
 namespace folk::mpe::testing {
 

@@ -1,7 +1,7 @@
 // Transformers of the particle world as files, and what is refused of them.
 
 #include <folk/mpe/players/transformer_policy.h>
-#include <folk/sct/network_file.h>
+#include <folk/sct/network/network_file.h>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

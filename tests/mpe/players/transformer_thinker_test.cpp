@@ -2,7 +2,7 @@
 
 #include <folk/mpe/offline/transformer_windows.h>
 #include <folk/mpe/players/transformer_thinker.h>
-#include <folk/sct/self_confirming_loss.h>
+#include <folk/sct/training/self_confirming_loss.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // What the world does, recorded: no change of its behaviour passes unsaid, on any processor and in any build.
 
-#include <folk/analysis/signature.h>
+#include <folk/analysis/play/signature.h>
 #include <folk/games/random.h>
 #include <folk/mpe/world/batch.h>
 

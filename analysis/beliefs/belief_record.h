@@ -1,0 +1,56 @@
+#pragma once
+// Matches of one policy round by round: what it did, what it believed, and what the opponent truly was about to do.
+
+#include <folk/analysis/play/sampled_play.h>
+#include <folk/games/move.h>
+#include <folk/strategies/strategy.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace folk {
+
+/// One round as the policy met it.
+struct BeliefRound {
+  Move own = Move::C;
+  Move theirs = Move::C;
+  std::optional<double> belief{};  ///< P(their C) as the policy held it; nothing from a policy without beliefs
+  double truth = 1;  ///< P(their C) in the state of an opponent that is a machine; else 1 or 0 by the move it played
+
+  bool operator==(const BeliefRound&) const = default;
+};
+
+/// A match from its first round on.
+using BeliefMatch = std::vector<BeliefRound>;
+
+/// All matches of the policy against one opponent.
+struct BeliefRecord {
+  std::string opponent;
+  bool once = false;  ///< both sides are deterministic: the one match is the whole path
+  std::vector<BeliefMatch> matches;
+};
+
+/// Rounds that may be recorded in one call, over all opponents and repetitions.
+inline constexpr std::uint64_t most_recorded_rounds = 20'000'000;
+
+/// True for a machine that mixes in no state and for an opaque player that says so.
+bool is_deterministic(const Strategy& strategy);
+
+/// Plays `policy` against each of `opponents` under sampling.criterion, which must be finite:T, and returns the records
+/// in the order of the opponents. A pair of which nobody draws random numbers plays one match, any other
+/// sampling.repetitions of them: match r against opponent i draws from the keys (seed, i, r, role), role 0 the policy's
+/// and 1 the opponent's.
+///
+/// Where both sides are machines or think together, up to most_matches_at_once matches are played side by side with
+/// sampling.threads threads; the records depend on neither. `progress` is told the finished share, 0 to 1.
+/// Throws UsageError for another criterion, for noise (a slip is no belief about the opponent) and for more than
+/// most_recorded_rounds, and what the players throw.
+std::vector<BeliefRecord> record_beliefs(const Strategy& policy, const std::vector<Strategy>& opponents,
+                                         const Sampling& sampling,
+                                         const std::function<void(double)>& progress = nullptr);
+
+}  // namespace folk

@@ -1,0 +1,56 @@
+#pragma once
+// Is a pair of strategies in equilibrium? The gaps of every notion, for both sides, by the most exact way there is.
+
+#include <folk/analysis/equilibria/gap.h>
+#include <folk/analysis/play/play_path.h>
+#include <folk/analysis/replies/class_replies.h>
+#include <folk/games/criterion.h>
+#include <folk/games/payoffs.h>
+#include <folk/strategies/strategy.h>
+
+#include <optional>
+#include <vector>
+
+namespace folk {
+
+/// What is asked of a pair.
+struct EquilibriumQuestion {
+  Payoffs payoffs;
+  Criterion criterion = Criterion::finite(100);
+  std::vector<Strategy> beliefs;  ///< the class of machines that either side may hold the other to be
+  unsigned horizon = 0;           ///< rounds that machines without end are followed, under criteria without end
+};
+
+/// What one side can gain, notion by notion; nothing where a notion does not apply or cannot be decided.
+struct SideGaps {
+  std::optional<Gap> nash;
+  std::optional<Gap> subgame_perfect;
+  std::optional<Gap> self_confirming_unrestricted;
+  std::optional<Gap> self_confirming_class;
+  std::optional<Gap> self_confirming_own;  ///< of a player that holds beliefs (own_belief_gap.h)
+};
+
+struct PairGaps {
+  SideGaps first;
+  SideGaps second;
+};
+
+/// The class that the question names. Whoever asks the same of many pairs keeps it, so that the best reply to a member
+/// is found once; the calls without it make their own.
+ClassReplies class_replies(const EquilibriumQuestion& question);
+
+/// Two machines.
+/// Throws UsageError when one is infinite, the criterion has no end and no horizon is given, and on pairs too large to
+/// solve.
+PairGaps pair_gaps(const Machine& first, const Machine& second, const EquilibriumQuestion& question);
+PairGaps pair_gaps(const Machine& first, const Machine& second, const EquilibriumQuestion& question,
+                   ClassReplies& beliefs);
+
+/// A match under finite:T that was really played without chance; a side that is no machine is null. What can be gained
+/// against such a side is not known, nor is subgame perfection.
+PairGaps match_gaps(const PlayPath& match, const Machine* first, const Machine* second,
+                    const EquilibriumQuestion& question);
+PairGaps match_gaps(const PlayPath& match, const Machine* first, const Machine* second,
+                    const EquilibriumQuestion& question, ClassReplies& beliefs);
+
+}  // namespace folk

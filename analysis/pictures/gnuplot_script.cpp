@@ -1,0 +1,178 @@
+#include <folk/analysis/pictures/gnuplot_script.h>
+#include <folk/games/error.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <numeric>
+
+namespace folk::gnuplot {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t longest_name = 32;
+
+/// The length of the well-formed UTF-8 character at the front of `text`, 0 when there is none.
+std::size_t character_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned first = byte(0);
+  if (first < 0x80) return 1;
+  const std::size_t length = first >= 0xF0 && first < 0xF5 ? 4 : first >= 0xE0 ? 3 : first >= 0xC2 ? 2 : 0;
+  if (first >= 0xF5 || length == 0 || text.size() < length) return 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if ((byte(i) & 0xC0U) != 0x80U) return 0;
+  // Overlong forms and surrogates are no characters of an XML file.
+  if ((first == 0xE0 && byte(1) < 0xA0) || (first == 0xF0 && byte(1) < 0x90) || (first == 0xED && byte(1) >= 0xA0) ||
+      (first == 0xF4 && byte(1) >= 0x90))
+    return 0;
+  return length;
+}
+
+/// The printable characters of a text; a control character becomes a blank, a stray byte a question mark.
+std::vector<std::string> characters(std::string_view text) {
+  std::vector<std::string> found;
+  while (!text.empty()) {
+    const std::size_t length = character_length(text);
+    if (length == 0) {
+      found.emplace_back("?");
+    } else if (length == 1 && (text[0] < ' ' || text[0] == '\x7f')) {
+      found.emplace_back(" ");
+    } else {
+      found.emplace_back(text.substr(0, length));
+    }
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return found;
+}
+
+std::string join(const std::vector<std::string>& parts) {
+  return std::accumulate(parts.begin(), parts.end(), std::string());
+}
+
+/// At most `most` characters, the middle of a longer text left out.
+std::string shortened(std::string_view text, std::size_t most) {
+  auto parts = characters(text);
+  if (parts.size() > most) {
+    const auto head = static_cast<std::ptrdiff_t>(most / 2);
+    const auto tail = static_cast<std::ptrdiff_t>(most - most / 2 - 1);
+    parts.erase(parts.begin() + head, parts.end() - tail);
+    parts.insert(parts.begin() + head, "…");
+  }
+  return join(parts);
+}
+
+/// An upper estimate for DejaVu Sans, the widest of the usual fonts.
+double text_width(std::size_t characters, double font) { return 0.63 * font * static_cast<double>(characters); }
+
+std::string terminal(PictureFormat format, double width, double height) {
+  switch (format) {
+    case PictureFormat::svg:
+      return fmt::format("set terminal svg size {:.0f},{:.0f} noenhanced font 'Arial,12' background rgb 'white'\n",
+                         width, height);
+    case PictureFormat::png:
+      // Two pixels for one, for print; the font's points are 4/3 of a pixel.
+      return fmt::format(
+          "set terminal pngcairo size {:.0f},{:.0f} noenhanced font 'Sans,12' fontscale 1.5 linewidth 2 pointscale 2.6 "
+          "background rgb 'white'\n",
+          2 * width, 2 * height);
+    case PictureFormat::pdf: break;
+  }
+  return fmt::format(
+      "set terminal pdfcairo size {:.4f}in,{:.4f}in noenhanced font 'Sans,12' fontscale 0.5625 linewidth 1 "
+      "background rgb 'white'\n",
+      width / 96, height / 96);
+}
+
+constexpr const char* package = "gnuplot-nox";
+
+/// gnuplot ends well on a full disk too: what it wrote must have the end that its format has.
+void require_whole(const fs::path& written, PictureFormat format, const fs::path& path) {
+  const std::string_view end = format == PictureFormat::svg   ? "</svg>"
+                               : format == PictureFormat::png ? "IEND"
+                                                              : "%%EOF";
+  constexpr std::streamoff longest_tail = 32;
+  std::ifstream file(written, std::ios::binary | std::ios::ate);
+  const std::streamoff size = file ? std::streamoff{file.tellg()} : 0;
+  std::string tail(static_cast<std::size_t>(std::clamp<std::streamoff>(size, 0, longest_tail)), ' ');
+  file.seekg(size - static_cast<std::streamoff>(tail.size()));
+  file.read(tail.data(), static_cast<std::streamsize>(tail.size()));
+  if (tail.find(end) == std::string::npos)
+    throw EnvironmentError(fmt::format("{}: gnuplot did not write it to its end: is the disk full?", path.string()));
+}
+
+}  // namespace
+
+std::string text_literal(std::string_view text) {
+  std::string out = "'";
+  if (text.starts_with("'")) out += ' ';  // gnuplot does not read two quotes right after the first
+  for (const auto& character : characters(text)) out += character == "'" ? "''" : character;
+  return out + "'";
+}
+
+std::string tic_literal(std::string_view text) {
+  std::string doubled;
+  for (const char c : text) doubled += c == '%' ? std::string("%%") : std::string(1, c);
+  return text_literal(doubled);
+}
+
+std::string path_literal(const fs::path& path) {
+  // An absolute path is never taken for a pipe (|command) or for somebody's home (~name).
+  const std::string text = fs::absolute(path).string();
+  if (std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }))
+    throw UsageError("a picture's path has a control character: choose another name");
+  std::string out = "'";
+  for (const char c : text) out += c == '\'' ? std::string("''") : std::string(1, c);
+  return out + "'";
+}
+
+double title_width(std::string_view title) { return text_width(characters(title).size(), title_font); }
+
+double widest_name(const std::vector<std::string>& names, double font) {
+  std::size_t most = 0;
+  for (const auto& name : names) most = std::max(most, std::min(characters(name).size(), longest_name));
+  return text_width(most, font);
+}
+
+std::string Layout::x(double pixels) const { return fmt::format("screen {:.6f}", pixels / width); }
+
+std::string Layout::y(double pixels) const { return fmt::format("screen {:.6f}", 1 - pixels / height); }
+
+std::string opening(PictureFormat format, const fs::path& output, const Layout& layout, std::string_view title) {
+  std::string text = "set encoding utf8\n" + terminal(format, layout.width, layout.height);
+  text += "set output " + path_literal(output) + "\n";
+  text += fmt::format("set lmargin at {}\nset rmargin at {}\nset tmargin at {}\nset bmargin at {}\n",
+                      layout.x(layout.left), layout.x(layout.right), layout.y(layout.top), layout.y(layout.bottom));
+  text += fmt::format("set label {} at {},{} left font ',{}' front\n", text_literal(title), layout.x(14), layout.y(22),
+                      title_font);
+  return text + "unset key\n";
+}
+
+std::string name_tics(std::string_view axis, const std::vector<std::string>& names, double font,
+                      std::string_view options) {
+  std::string text = fmt::format("set {} (", axis);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += fmt::format("{}{} {}", i == 0 ? "" : ", ", tic_literal(shortened(names[i], longest_name)), i);
+  return text + fmt::format(") scale 0 font ',{}' textcolor rgb 'black' {}\n", font, options);
+}
+
+PictureFormat picture_format(const fs::path& path) {
+  const std::string extension = path.extension().string();
+  for (const auto format : {PictureFormat::svg, PictureFormat::png, PictureFormat::pdf})
+    if (extension == "." + to_string(format)) return format;
+  throw UsageError(fmt::format("{}: a plot's file name ends in .svg, .png or .pdf", path.string()));
+}
+
+void require_gnuplot() { run_renderer({"gnuplot", "--version"}, "", package); }
+
+void draw_script(const fs::path& path, const std::function<std::string(PictureFormat, const fs::path&)>& script) {
+  const PictureFormat format = picture_format(path);
+  draw_file(path, [&](const fs::path& temporary) {
+    // -d: whatever a user's own .gnuplot sets, the picture is the same.
+    run_renderer({"gnuplot", "-d", "-"}, script(format, temporary), package);
+    require_whole(temporary, format, path);
+  });
+}
+
+}  // namespace folk::gnuplot

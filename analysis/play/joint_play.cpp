@@ -1,0 +1,57 @@
+#include <folk/analysis/play/joint_play.h>
+#include <folk/games/error.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace folk {
+
+JointPlay::JointPlay(const Automaton& first, const Automaton& second, Sense sense, std::size_t most_states)
+    : first_(first),
+      second_(second),
+      sense_(sense) {
+  auto nodes = product(first, second, sense, most_states);
+  if (!nodes)
+    throw UsageError(fmt::format("machines of {} and {} states reach more than {} joint states: too many to check",
+                                 first.size(), second.size(), most_states));
+  nodes_ = *std::move(nodes);
+}
+
+std::size_t JointPlay::outcome_in(std::size_t state) const {
+  return outcome(first_cooperation(state) > 0.5 ? Move::C : Move::D,
+                 second_cooperation(state) > 0.5 ? Move::C : Move::D);
+}
+
+std::array<double, 4> JointPlay::chances_in(std::size_t state) const {
+  const double p = first_cooperation(state);
+  const double q = second_cooperation(state);
+  return {p * q, p * (1 - q), (1 - p) * q, (1 - p) * (1 - q)};
+}
+
+std::vector<Round> JointPlay::history_to(std::size_t state) const {
+  constexpr auto unknown = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::pair<std::uint32_t, std::size_t>> from(nodes_.size(), {unknown, 0});  // state before, outcome
+  std::vector<std::uint32_t> queue{0};
+  from[0] = {0, 0};
+  for (std::size_t i = 0; i < queue.size() && from[state].first == unknown; ++i)
+    for (std::size_t o = 0; o < 4; ++o) {
+      const auto at = queue[i];
+      if (!possible_between(first_cooperation(at), second_cooperation(at), o, sense_)) continue;
+      const auto next = nodes_[at].next[o];
+      if (from[next].first != unknown) continue;
+      from[next] = {at, o};
+      queue.push_back(next);
+    }
+  std::vector<Round> history;
+  for (std::size_t at = state; at != 0; at = from[at].first) {
+    const auto o = static_cast<unsigned>(from[at].second);
+    history.push_back({move_from_bit(o >> 1U), move_from_bit(o)});
+  }
+  std::reverse(history.begin(), history.end());
+  return history;
+}
+
+}  // namespace folk

@@ -1,0 +1,48 @@
+#include <folk/analysis/play/parallel.h>
+
+#include <algorithm>
+#include <atomic>
+#include <boost/asio/post.hpp>
+#include <boost/asio/thread_pool.hpp>
+#include <exception>
+#include <mutex>
+
+namespace folk {
+
+void parallel_for(std::size_t count, unsigned threads, const std::function<void(std::size_t, unsigned)>& work,
+                  const std::function<void(double)>& progress) {
+  std::atomic<std::size_t> next{0};
+  std::mutex mutex;
+  std::size_t done = 0;
+  std::atomic<std::size_t> failed_at{count};  // pieces before it are still done: one of them may throw as well
+  std::exception_ptr failure;
+  const auto run = [&](unsigned worker) {
+    for (std::size_t i = next++; i < failed_at; i = next++) {
+      try {
+        work(i, worker);
+        if (progress) {
+          const std::lock_guard lock(mutex);
+          progress(static_cast<double>(++done) / static_cast<double>(count));
+        }
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        if (i < failed_at) {
+          failed_at = i;
+          failure = std::current_exception();
+        }
+      }
+    }
+  };
+  const auto workers =
+      static_cast<unsigned>(std::min<std::size_t>(std::max(1U, threads), std::max<std::size_t>(1, count)));
+  if (workers == 1) {
+    run(0);
+  } else {
+    boost::asio::thread_pool pool(workers);
+    for (unsigned worker = 0; worker < workers; ++worker) boost::asio::post(pool, [&run, worker] { run(worker); });
+    pool.join();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace folk

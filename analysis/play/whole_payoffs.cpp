@@ -1,0 +1,30 @@
+#include <folk/analysis/play/whole_payoffs.h>
+#include <folk/games/error.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace folk {
+
+using boost::multiprecision::cpp_int;
+
+WholePayoffs whole_payoffs(const Payoffs& payoffs, const std::vector<Rational>& others) {
+  const auto exact = payoffs.by_outcome();
+  cpp_int common = 1;
+  for (const auto& payoff : exact) common = lcm(common, cpp_int(denominator(payoff)));
+  for (const auto& payoff : others) common = lcm(common, cpp_int(denominator(payoff)));
+  WholePayoffs whole;
+  whole.scale = common.convert_to<double>();
+  whole.exact_scale = Rational(common);
+  for (std::size_t o = 0; o < 4; ++o) {
+    whole.by_outcome[o] = to_double(Rational(exact[o] * common));
+    whole.largest = std::max(whole.largest, std::abs(whole.by_outcome[o]));
+  }
+  if (!(whole.largest <= 0x1p53) || !std::isfinite(whole.scale))
+    throw UsageError(fmt::format("payoffs {}: too large or of too many digits to add up", to_text(payoffs)));
+  return whole;
+}
+
+}  // namespace folk

@@ -1,0 +1,61 @@
+#include <folk/analysis/replies/best_reply.h>
+#include <folk/analysis/replies/finite_best_reply.h>
+#include <folk/analysis/replies/stationary_reply.h>
+#include <folk/games/error.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+namespace folk {
+namespace {
+
+BestReply finite_reply(const Machine& opponent, const Payoffs& payoffs, const Criterion& criterion, double noise) {
+  const FiniteBestReply reply(opponent, payoffs, criterion.rounds(), noise);
+  const auto exact = reply.exact_optimum();
+  // Sums of T expectations: each round rounds by a few units of the last digit of what a total may be.
+  double largest = 0;
+  for (const double payoff : payoffs.numbers()) largest = std::max(largest, std::abs(payoff));
+  const auto rounds = static_cast<double>(criterion.rounds());
+  const double rounding = 4 * 0x1p-53 * rounds * rounds * largest;
+  return {reply.optimum(), exact, exact ? 0 : rounding, std::nullopt, reply.machine()};
+}
+
+}  // namespace
+
+Automaton table_for(const Machine& machine, const Criterion& criterion, Sense sense, unsigned horizon) {
+  if (criterion.is_finite()) {
+    // No machine stays within the limit of states for more rounds than `unsigned` holds unless it closes.
+    constexpr std::uint64_t most = std::numeric_limits<unsigned>::max() - 1;
+    return unroll(machine, sense, static_cast<unsigned>(std::min(criterion.rounds(), most)));
+  }
+  if (machine.finite()) {
+    if (auto table = tabulate(machine, sense)) return *std::move(table);
+    if (horizon == 0)
+      throw UsageError(fmt::format("a machine of more than {} states: give a --horizon of rounds", 1U << 20U));
+  }
+  if (criterion.kind() == Criterion::Kind::mean)
+    throw UsageError("a machine without end has no exact mean: take finite:T or discounted:d");
+  if (horizon == 0)
+    throw UsageError(fmt::format("a machine without end under {}: give a --horizon of rounds, or take finite:T",
+                                 criterion.to_string()));
+  return unroll(machine, sense, horizon);
+}
+
+BestReply best_reply(const Machine& opponent, const Payoffs& payoffs, const Criterion& criterion,
+                     const BestReplyOptions& options) {
+  if (criterion.is_finite()) return finite_reply(opponent, payoffs, criterion, options.noise);
+  const Sense sense = options.noise > 0 ? Sense::any_own_moves : Sense::own_moves_its_own;
+  const ReplyProblem problem =
+      reply_problem(table_for(opponent, criterion, sense, options.horizon), payoffs, options.noise);
+  StationaryReply reply = stationary_reply(problem, criterion);
+  const bool bounded = problem.outside.has_value();
+  return {reply.values[problem.start], std::move(reply.optimum), reply.residual,
+          bounded ? std::optional(options.horizon) : std::nullopt, reply_machine(problem, reply.moves)};
+}
+
+}  // namespace folk

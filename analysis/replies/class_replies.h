@@ -1,0 +1,46 @@
+#pragma once
+// The machines that a side may hold its opponent to be, and the best reply to each.
+
+#include <folk/analysis/replies/best_reply.h>
+#include <folk/games/criterion.h>
+#include <folk/games/payoffs.h>
+#include <folk/strategies/automaton.h>
+#include <folk/strategies/strategy.h>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace folk {
+
+/// A class of beliefs under one criterion. Replies are found when they are first asked for, and kept: whoever checks
+/// many pairs hands the same object to all of them. Not for several threads at once.
+class ClassReplies {
+public:
+  /// Machines without end are followed for `horizon` rounds under criteria without end; 0 stands for 100 rounds.
+  ClassReplies(std::vector<Strategy> members, const Payoffs& payoffs, const Criterion& criterion, unsigned horizon = 0);
+
+  const std::vector<Strategy>& members() const { return members_; }
+  const Payoffs& payoffs() const { return payoffs_; }
+  const Criterion& criterion() const { return criterion_; }
+  unsigned horizon() const { return horizon_; }
+
+  /// True for a machine that has no end under a criterion that has none: its figures are bounds.
+  bool endless(std::size_t member) const;
+
+  /// The best reply to a member that is a machine. Throws UsageError as best_reply does.
+  const BestReply& reply(std::size_t member);
+
+  /// Such a member as a table, in the sense own_moves_its_own. Throws UsageError as table_for does.
+  const Automaton& table(std::size_t member);
+
+private:
+  std::vector<Strategy> members_;
+  Payoffs payoffs_;
+  Criterion criterion_;
+  unsigned horizon_;
+  std::vector<std::optional<BestReply>> replies_;
+  std::vector<std::optional<Automaton>> tables_;
+};
+
+}  // namespace folk

@@ -1,0 +1,11 @@
+#pragma once
+// The best reply without end to a machine that mixes or slips, in doubles.
+
+#include <folk/analysis/replies/stationary_reply.h>
+
+namespace folk {
+
+/// stationary_reply for any problem, exact or not: policy iteration, each policy evaluated as a Markov chain.
+StationaryReply markov_reply(const ReplyProblem& problem, const Criterion& criterion);
+
+}  // namespace folk

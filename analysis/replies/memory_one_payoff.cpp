@@ -1,0 +1,56 @@
+#include <folk/analysis/play/markov_play.h>
+#include <folk/analysis/replies/memory_one_payoff.h>
+#include <folk/games/error.h>
+#include <folk/strategies/memory_one.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+namespace folk {
+
+Automaton MemoryOne::machine() const { return memory_one(opening == Move::C ? 1 : 0, after); }
+
+Population::Population(std::vector<PopulationMember> members, const Payoffs& payoffs, const Criterion& criterion,
+                       double noise)
+    : members_(std::move(members)),
+      payoffs_(payoffs),
+      numbers_(payoffs.numbers()),
+      criterion_(criterion),
+      noise_(noise) {
+  if (members_.empty()) throw UsageError("a population of nobody has no best reply");
+  if (!(noise >= 0 && noise <= 1)) throw UsageError(fmt::format("noise {}: expected a number from 0 to 1", noise));
+  double total = 0;
+  for (const PopulationMember& member : members_) {
+    if (!(member.weight > 0 && std::isfinite(member.weight)))
+      throw UsageError(fmt::format("weight {} of an opponent: expected a positive number", member.weight));
+    total += member.weight;
+  }
+  for (PopulationMember& member : members_) member.weight /= total;
+  // A strategy that mixes after every outcome reaches all joint states that any does.
+  for (std::size_t i = 0; i < size(); ++i) payoff(memory_one(0.5, {0.5, 0.5, 0.5, 0.5}), i);
+}
+
+double Population::payoff(const Automaton& strategy, std::size_t member) const {
+  const auto pair = play_markov(strategy, members_[member].machine, noise_, criterion_);
+  if (!pair)
+    throw UsageError(fmt::format("an opponent of {} states is too large for a search under {}",
+                                 members_[member].machine.size(), criterion_.to_string()));
+  double sum = 0;
+  for (std::size_t o = 0; o < 4; ++o) sum += numbers_[o] * pair->weights[o];
+  return sum;
+}
+
+double Population::payoff(const MemoryOne& strategy, std::size_t member) const {
+  return payoff(strategy.machine(), member);
+}
+
+double Population::payoff(const MemoryOne& strategy) const {
+  const Automaton machine = strategy.machine();
+  double sum = 0;
+  for (std::size_t i = 0; i < size(); ++i) sum += members_[i].weight * payoff(machine, i);
+  return sum;
+}
+
+}  // namespace folk

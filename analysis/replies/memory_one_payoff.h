@@ -1,0 +1,63 @@
+#pragma once
+// What a memory-one strategy earns against a population of known machines.
+
+#include <folk/games/criterion.h>
+#include <folk/games/move.h>
+#include <folk/games/payoffs.h>
+#include <folk/strategies/automaton.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace folk {
+
+/// A memory-one strategy whose first move is pure. A mixed one is never needed: what is earned is linear in its
+/// probability.
+struct MemoryOne {
+  Move opening = Move::C;
+  std::array<double, 4> after{};  ///< P(C) by the last round's outcome (CC, CD, DC, DD; own move first)
+
+  Automaton machine() const;
+};
+
+/// A machine and how often it is met.
+struct PopulationMember {
+  Automaton machine;
+  double weight = 1;
+};
+
+/// Known opponents, one of which is met in each match.
+class Population {
+public:
+  /// Weights are scaled to add up to 1. Machines without end come as tables that are right as long as the criterion
+  /// lasts (table_for of analysis/replies/best_reply.h), with noise in the sense any_own_moves.
+  /// Throws UsageError when nobody is in it, a weight is not positive, the noise is outside [0, 1] or a machine is too
+  /// large for its Markov chain to be solved many times.
+  Population(std::vector<PopulationMember> members, const Payoffs& payoffs, const Criterion& criterion,
+             double noise = 0);
+
+  std::size_t size() const { return members_.size(); }
+  const PopulationMember& member(std::size_t i) const { return members_[i]; }
+  const Payoffs& payoffs() const { return payoffs_; }
+  const Criterion& criterion() const { return criterion_; }
+  double noise() const { return noise_; }
+
+  /// What the strategy earns against one member, in the criterion's unit: from the pair's Markov chain, exact up to
+  /// rounding. For mean this is the mean of the play that begins with the opening, also where the chain is not ergodic.
+  double payoff(const MemoryOne& strategy, std::size_t member) const;
+
+  /// The mean over the members by weight.
+  double payoff(const MemoryOne& strategy) const;
+
+private:
+  double payoff(const Automaton& strategy, std::size_t member) const;
+
+  std::vector<PopulationMember> members_;
+  Payoffs payoffs_;
+  std::array<double, 4> numbers_;
+  Criterion criterion_;
+  double noise_;
+};
+
+}  // namespace folk

@@ -1,0 +1,57 @@
+#include <folk/analysis/replies/reply_problem.h>
+#include <folk/games/error.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace folk {
+
+bool ReplyProblem::deterministic() const {
+  const auto pure = [](const State& state) { return state.cooperation == 0 || state.cooperation == 1; };
+  return noise == 0 && std::all_of(states.begin(), states.end(), pure);
+}
+
+ReplyProblem::Chances ReplyProblem::after(std::size_t state, Move own) const {
+  Chances chances;
+  const double p = states[state].cooperation;
+  for (const Move really : {own, other(own)}) {
+    const double own_chance = really == own ? 1 - noise : noise;
+    for (const Move theirs : {Move::C, Move::D}) {
+      const double chance = own_chance * (theirs == Move::C ? p : 1 - p);
+      if (chance > 0) chances.chances[chances.size++] = {outcome(really, theirs), chance};
+    }
+  }
+  return chances;
+}
+
+ReplyProblem reply_problem(const Automaton& opponent, const Payoffs& payoffs, double noise) {
+  if (!(noise >= 0 && noise <= 1)) throw UsageError(fmt::format("noise {}: expected a number from 0 to 1", noise));
+  ReplyProblem problem;
+  problem.payoffs = payoffs;
+  problem.noise = noise;
+  problem.start = static_cast<std::uint32_t>(opponent.start());
+  problem.states.reserve(opponent.size());
+  for (const auto& node : opponent.nodes()) {
+    const double p = node.cooperation;
+    // The replier's outcome (own, theirs) is the opponent's (theirs, own).
+    problem.states.push_back(
+        {p * (1 - noise) + (1 - p) * noise, {node.next[0], node.next[2], node.next[1], node.next[3]}});
+  }
+  if (const auto beyond = opponent.beyond()) {
+    const auto by_outcome = payoffs.by_outcome();
+    problem.outside = {*beyond, *std::min_element(by_outcome.begin(), by_outcome.end())};
+  }
+  return problem;
+}
+
+Automaton reply_machine(const ReplyProblem& problem, const std::vector<Move>& moves) {
+  std::vector<Automaton::Node> nodes;
+  nodes.reserve(problem.size());
+  for (std::size_t s = 0; s < problem.size(); ++s)
+    nodes.push_back({moves[s] == Move::C ? 1.0 : 0.0, problem.states[s].next});
+  const Automaton whole(std::move(nodes), problem.start);
+  return minimise(*tabulate(whole, Sense::any_own_moves), Sense::any_own_moves);
+}
+
+}  // namespace folk

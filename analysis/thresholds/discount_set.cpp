@@ -1,0 +1,153 @@
+#include <folk/analysis/thresholds/discount_set.h>
+#include <folk/analysis/thresholds/root_isolation.h>
+
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <utility>
+
+namespace folk {
+namespace {
+
+using End = DiscountSet::End;
+using Interval = DiscountSet::Interval;
+
+std::vector<AlgebraicNumber> roots_of(RootIsolation& isolation) {
+  const auto polynomial = std::make_shared<const Polynomial>(isolation.polynomial);
+  std::vector<AlgebraicNumber> roots;
+  for (const RootInterval& root : isolation.roots)
+    roots.push_back(root.low == root.high ? AlgebraicNumber(root.low)
+                                          : AlgebraicNumber(polynomial, root.low, root.high));
+  return roots;
+}
+
+/// The sign of p between two neighbouring roots or bounds; -1 when they are equal, as nothing is between them.
+int sign_between(const Polynomial& p, const AlgebraicNumber& a, const AlgebraicNumber& b) {
+  if (a.is_rational() && b.is_rational() && a.low() >= b.low()) return -1;
+  // The ends of an isolating interval are no roots, unless p vanishes at 0 or 1.
+  if (!a.is_rational() && a.high() <= b.low() && a.high() < 1) return p.sign_at(a.high());
+  if (!b.is_rational() && a.high() <= b.low() && b.low() > 0) return p.sign_at(b.low());
+  return p.sign_at(rational_between(a, b));
+}
+
+/// The closed intervals of [low, high] where p >= 0; `roots` are all of its roots there.
+std::vector<Interval> nonnegative(const Polynomial& p, const Rational& low, const Rational& high,
+                                  const std::vector<AlgebraicNumber>& roots, std::size_t constraint) {
+  if (roots.empty()) {
+    const Rational middle = (low + high) / 2;
+    if (p.sign_at(middle) < 0) return {};
+    return {{End{low}, End{high}}};
+  }
+  std::vector<Interval> result;
+  End start{low};
+  bool inside = sign_between(p, low, roots.front()) > 0;
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    const bool inside_next = sign_between(p, roots[i], i + 1 < roots.size() ? roots[i + 1] : high) > 0;
+    if (!inside) start = {roots[i], constraint};
+    if (!inside_next) result.push_back({start, {roots[i], constraint}});
+    inside = inside_next;
+  }
+  if (inside) result.push_back({start, End{high}});
+  return result;
+}
+
+}  // namespace
+
+DiscountSet DiscountSet::all() {
+  DiscountSet set;
+  set.intervals_.push_back({End{Rational(0)}, End{Rational(1)}});
+  return set;
+}
+
+bool DiscountSet::contains(const Rational& d) const {
+  return std::any_of(intervals_.begin(), intervals_.end(),
+                     [&](const Interval& interval) { return interval.low.at <= d && interval.high.at >= d; });
+}
+
+bool DiscountSet::cut(const Polynomial& p, std::size_t constraint) {
+  if (empty() || p.is_zero()) return false;
+  RootIsolation isolation = isolate_roots(p, intervals_.front().low.at.low(), intervals_.back().high.at.high());
+  DiscountSet other;
+  other.intervals_ = nonnegative(p, isolation.low, isolation.high, roots_of(isolation), constraint);
+  return intersect(other);
+}
+
+bool DiscountSet::intersect(const DiscountSet& other) {
+  std::vector<Interval> common;
+  bool smaller = false;
+  auto mine = intervals_.begin();
+  auto theirs = other.intervals_.begin();
+  while (mine != intervals_.end() && theirs != other.intervals_.end()) {
+    const bool their_low = theirs->low.at > mine->low.at;
+    const auto high_order = theirs->high.at <=> mine->high.at;
+    const Interval both{their_low ? theirs->low : mine->low, high_order < 0 ? theirs->high : mine->high};
+    if (both.low.at <= both.high.at) {
+      common.push_back(both);
+      smaller = smaller || their_low || high_order < 0;
+    }
+    if (high_order < 0)
+      ++theirs;
+    else
+      ++mine;
+  }
+  smaller = smaller || common.size() != intervals_.size();
+  intervals_ = std::move(common);
+  return smaller;
+}
+
+void DiscountSet::keep_interval_of(const Rational& d) {
+  std::erase_if(intervals_, [&](const Interval& interval) { return interval.low.at > d || interval.high.at < d; });
+}
+
+std::vector<std::size_t> DiscountSet::renumber_constraints() {
+  std::set<std::size_t> used;
+  for (const Interval& interval : intervals_) used.insert({interval.low.constraint, interval.high.constraint});
+  used.erase(no_constraint);
+  const std::vector<std::size_t> old(used.begin(), used.end());
+  const auto renumber = [&](std::size_t& mark) {
+    if (mark != no_constraint)
+      mark = static_cast<std::size_t>(std::lower_bound(old.begin(), old.end(), mark) - old.begin());
+  };
+  for (Interval& interval : intervals_) {
+    renumber(interval.low.constraint);
+    renumber(interval.high.constraint);
+  }
+  return old;
+}
+
+bool DiscountSet::operator==(const DiscountSet& other) const {
+  return std::equal(
+      intervals_.begin(), intervals_.end(), other.intervals_.begin(), other.intervals_.end(),
+      [](const Interval& a, const Interval& b) { return a.low.at == b.low.at && a.high.at == b.high.at; });
+}
+
+std::string to_text(const DiscountSet& set) {
+  if (set.empty()) return "never";
+  std::string text;
+  for (const Interval& interval : set.intervals()) {
+    if (!text.empty()) text += " or ";
+    if (interval.low.at == interval.high.at) {
+      text += "{" + to_text(interval.low.at) + "}";
+      continue;
+    }
+    text += (interval.low.at == Rational(0) ? "(" : "[") + to_text(interval.low.at) + ", ";
+    text += to_text(interval.high.at) + (interval.high.at == Rational(1) ? ")" : "]");
+  }
+  return text;
+}
+
+std::vector<std::array<double, 2>> to_numbers(const DiscountSet& set) {
+  std::vector<std::array<double, 2>> numbers;
+  for (const Interval& interval : set.intervals())
+    numbers.push_back({interval.low.at.nearest(), interval.high.at.nearest()});
+  return numbers;
+}
+
+std::vector<std::array<std::string, 2>> to_exact_texts(const DiscountSet& set) {
+  std::vector<std::array<std::string, 2>> texts;
+  for (const Interval& interval : set.intervals())
+    texts.push_back({to_text(interval.low.at), to_text(interval.high.at)});
+  return texts;
+}
+
+}  // namespace folk

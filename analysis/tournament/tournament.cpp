@@ -1,0 +1,318 @@
+#include <folk/analysis/play/pair_player.h>
+#include <folk/analysis/play/parallel.h>
+#include <folk/analysis/play/signature.h>
+#include <folk/analysis/play/whole_payoffs.h>
+#include <folk/analysis/tournament/tournament.h>
+#include <folk/games/error.h>
+#include <folk/strategies/registry.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace folk {
+namespace {
+
+/// Scores that are no exact whole numbers count as equal within this share of the largest possible score.
+constexpr double rounding = 1e-12;
+
+/// Figures for more pairs of behaviours than this would not fit into the memory of a small machine.
+constexpr std::size_t most_behaviours = 10'000;
+
+/// The share of the work that pairs which think together are taken for.
+double thinking_share(std::size_t thinking, std::size_t pairs) {
+  constexpr double weight = 1000;  // of a pair that is thought about, against one that is looked up or counted
+  const double thought = weight * static_cast<double>(thinking);
+  return thought / (thought + static_cast<double>(pairs - thinking) + 1e-300);
+}
+
+double median_of(std::vector<double>& values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2 == 1) return *middle;
+  return (*middle + *std::max_element(values.begin(), middle)) / 2;
+}
+
+}  // namespace
+
+Tournament::Tournament(std::vector<Strategy> roster, std::size_t core, TournamentSettings settings)
+    : roster_(std::move(roster)),
+      core_(core),
+      settings_(std::move(settings)) {
+  if (roster_.empty() || core_ == 0 || core_ > roster_.size()) throw UsageError("the roster is empty");
+  if (roster_.size() == 1 && !settings_.self_play)
+    throw UsageError("a roster of one without self-play has nothing to play");
+  refuse_duplicates(roster_);
+  if (!(settings_.noise >= 0 && settings_.noise <= 1))
+    throw UsageError(fmt::format("noise {}: expected a number from 0 to 1", settings_.noise));
+  if (settings_.repetitions == 0) throw UsageError("repetitions: expected at least 1");
+  scale_payoffs();
+  play_pairs();
+  average_columns();
+  rank();
+  sign();
+}
+
+void Tournament::scale_payoffs() {
+  const auto whole = whole_payoffs(settings_.payoffs);
+  scaled_payoffs_ = whole.by_outcome;
+  scale_ = whole.scale;
+  largest_score_ = settings_.criterion.total_weight() * whole.largest;
+  // Whole numbers are exact in a double up to 2^53, and sums of them in a long double up to 2^63.
+  if (!(largest_score_ <= 0x1p53 && largest_score_ * static_cast<double>(size()) < 0x1p63))
+    throw UsageError(
+        fmt::format("{} entrants under {} would score too much to count exactly: play fewer rounds or give "
+                    "payoffs of fewer digits",
+                    size(), settings_.criterion.to_string()));
+}
+
+void Tournament::play_pairs() {
+  PairPlayer player(roster_,
+                    {settings_.payoffs, settings_.criterion, settings_.noise, settings_.repetitions, settings_.seed,
+                     settings_.threads},
+                    settings_.threads);
+  behaviour_of_ = player.behaviour_of();
+  behaviours_ = player.behaviours().size();
+  if (behaviours_ > most_behaviours)
+    throw UsageError(fmt::format("{} strategies that all behave differently: a tournament takes up to {}", behaviours_,
+                                 most_behaviours));
+  std::vector<std::size_t> members(behaviours_, 0);
+  for (const std::size_t behaviour : behaviour_of_) ++members[behaviour];
+  scores_.resize(behaviours_ * behaviours_);
+  cooperations_.resize(behaviours_ * behaviours_);
+  notes_.resize(behaviours_ * behaviours_);
+  if (player.may_sample()) errors_.resize(behaviours_ * behaviours_);
+  guesses_.resize(behaviours_);
+  for (std::size_t b = 0; b < behaviours_; ++b)
+    if (player.is_opaque(b)) guesses_[b].resize(behaviours_);
+  // A behaviour meets itself as its own copy or as another entrant that behaves alike.
+  const auto meet = [&](std::size_t a, std::size_t b) { return a != b || settings_.self_play || members[b] > 1; };
+
+  std::vector<std::pair<std::size_t, std::size_t>> thinking;
+  for (std::size_t b = 0; b < behaviours_; ++b)
+    for (std::size_t a = 0; a <= b; ++a)
+      if (player.thinks_together(a, b) && meet(a, b)) thinking.emplace_back(a, b);
+  const double share = thinking_share(thinking.size(), behaviours_ * (behaviours_ + 1) / 2);
+  const auto report = [&](double begin, double length) -> std::function<void(double)> {
+    if (!settings_.progress || length == 0) return nullptr;
+    return [this, begin, length](double done) { settings_.progress(begin + length * done); };
+  };
+
+  parallel_for(
+      behaviours_, settings_.threads,
+      [&](std::size_t b, unsigned worker) {
+        for (std::size_t a = 0; a <= b; ++a)
+          if (!player.thinks_together(a, b) && meet(a, b)) store(a, b, player.play(a, b, worker));
+      },
+      report(0, 1 - share));
+  const auto results = player.play_together(thinking, report(1 - share, share));
+  for (std::size_t i = 0; i < thinking.size(); ++i) store(thinking[i].first, thinking[i].second, results[i]);
+
+  for (auto& row : guesses_)
+    if (std::all_of(row.begin(), row.end(), [](const Guesses& guesses) { return guesses.all == 0; })) row.clear();
+}
+
+void Tournament::store(std::size_t a, std::size_t b, const PairResult& result) {
+  if (a != b) {
+    store_row(a, b, result);
+    store_row(b, a, exchanged(result));
+    return;
+  }
+  // Both seats are the same entrant: its figures are the means of the two.
+  PairResult mirror = result;
+  mirror.weights[1] = mirror.weights[2] = (result.weights[1] + result.weights[2]) / 2;
+  mirror.first_guesses.right = (result.first_guesses.right + result.second_guesses.right) / 2;
+  mirror.first_guesses.all = (result.first_guesses.all + result.second_guesses.all) / 2;
+  // The two are correlated: the mean of their errors is an upper bound.
+  mirror.first_error = (result.first_error + result.second_error) / 2;
+  store_row(b, b, mirror);
+}
+
+void Tournament::store_row(std::size_t a, std::size_t b, const PairResult& result) {
+  const std::size_t at = a * behaviours_ + b;
+  double own = 0;
+  double theirs = 0;
+  for (std::size_t o = 0; o < 4; ++o) {
+    own += result.weights[o] * scaled_payoffs_[o];
+    theirs += exchanged(result).weights[o] * scaled_payoffs_[o];
+  }
+  scores_[at] = own;
+  cooperations_[at] = result.weights[0] + result.weights[1];
+  const bool exact = is_exact(result.method, settings_.criterion);
+  notes_[at] = Note{result.method, own - theirs > (exact ? 0 : rounding * largest_score_)};
+  if (!errors_.empty()) errors_[at] = result.first_error;
+  if (!guesses_[a].empty()) guesses_[a][b] = result.first_guesses;
+}
+
+double Tournament::score(std::size_t i, std::size_t j) const { return scores_[cell(i, j)] / scale_; }
+
+double Tournament::cooperation(std::size_t i, std::size_t j) const { return cooperations_[cell(i, j)]; }
+
+Method Tournament::method(std::size_t i, std::size_t j) const { return notes_[cell(i, j)].method; }
+
+double Tournament::standard_error(std::size_t i, std::size_t j) const {
+  return errors_.empty() ? 0 : errors_[cell(i, j)];
+}
+
+std::optional<double> Tournament::belief_accuracy(std::size_t i, std::size_t j) const {
+  const auto& row = guesses_[behaviour_of_[i]];
+  return row.empty() ? std::nullopt : row[behaviour_of_[j]].accuracy();
+}
+
+bool Tournament::has_beliefs() const {
+  return std::any_of(guesses_.begin(), guesses_.end(), [](const auto& row) { return !row.empty(); });
+}
+
+std::vector<std::string> Tournament::caveats() const {
+  std::vector<std::string> caveats;
+  for (const auto& strategy : roster_)
+    if (!strategy.caveat.empty() && std::find(caveats.begin(), caveats.end(), strategy.caveat) == caveats.end())
+      caveats.push_back(strategy.caveat);
+  return caveats;
+}
+
+std::optional<double> Tournament::normalised(std::size_t i, std::size_t j) const {
+  if (!(column_means_[j] > 0)) return std::nullopt;
+  return 100 * score(i, j) / column_means_[j];
+}
+
+void Tournament::average_columns() {
+  // By behaviour first: entrants that behave alike give and get the same.
+  std::vector<long double> members(behaviours_, 0);
+  for (std::size_t i = 0; i < core_; ++i) members[behaviour_of_[i]] += 1;
+  std::vector<long double> sums(behaviours_, 0);
+  for (std::size_t a = 0; a < behaviours_; ++a)
+    for (std::size_t b = 0; b < behaviours_; ++b)
+      sums[b] += members[a] * static_cast<long double>(scores_[a * behaviours_ + b]);
+  column_means_.resize(size());
+  for (std::size_t j = 0; j < size(); ++j) {
+    long double sum = sums[behaviour_of_[j]];
+    auto count = static_cast<double>(core_);
+    if (!settings_.self_play && j < core_) {
+      sum -= static_cast<long double>(scores_[cell(j, j)]);
+      count -= 1;
+    }
+    column_means_[j] = count > 0 ? static_cast<double>(sum) / scale_ / count : 0;
+  }
+}
+
+RankingEntry Tournament::entry(std::size_t i) const {
+  RankingEntry entry;
+  entry.entrant = i;
+  long double total = 0;
+  double cooperations = 0;
+  double normalised_sum = 0;
+  // Opponents that behave alike share one sample: their errors add up, those of different ones are independent.
+  std::vector<double> error_of(errors_.empty() ? 0 : behaviours_);
+  bool all_normalised = true;
+  std::vector<double> scores;
+  scores.reserve(size());
+  Guesses guesses;
+  const std::size_t row = behaviour_of_[i] * behaviours_;
+  for (std::size_t j = 0; j < size(); ++j) {
+    if (!played(i, j)) continue;
+    const std::size_t at = row + behaviour_of_[j];
+    total += static_cast<long double>(scores_[at]);
+    if (!guesses_[behaviour_of_[i]].empty()) guesses += guesses_[behaviour_of_[i]][behaviour_of_[j]];
+    scores.push_back(scores_[at]);
+    cooperations += cooperations_[at];
+    if (!errors_.empty()) error_of[behaviour_of_[j]] += errors_[at];
+    entry.method = std::max(entry.method, notes_[at].method);
+    entry.wins += notes_[at].wins ? 1 : 0;
+    all_normalised = all_normalised && column_means_[j] > 0;
+    normalised_sum += scores_[at] / column_means_[j];
+  }
+  const double weight = settings_.criterion.total_weight();
+  const auto count = static_cast<double>(opponents());
+  entry.total = total / static_cast<long double>(scale_);
+  entry.mean = static_cast<double>(entry.total) / count / weight;
+  entry.median = median_of(scores) / scale_ / weight;
+  entry.cooperation_rate = cooperations / count / weight;
+  for (const double error : error_of) entry.error += error * error;
+  entry.error = std::sqrt(entry.error);
+  entry.belief_accuracy = guesses.accuracy();
+  if (all_normalised) entry.normalised = 100 * normalised_sum / scale_ / count;
+  return entry;
+}
+
+void Tournament::rank() {
+  std::vector<RankingEntry> by_behaviour(behaviours_);
+  std::vector<std::size_t> first_of(behaviours_);
+  for (std::size_t i = size(); i-- > 0;) first_of[behaviour_of_[i]] = i;
+  ranking_.resize(size());
+  if (settings_.self_play) {
+    // Entrants that behave alike then meet the same field.
+    parallel_for(behaviours_, settings_.threads,
+                 [&](std::size_t b, unsigned) { by_behaviour[b] = entry(first_of[b]); });
+    for (std::size_t i = 0; i < size(); ++i) {
+      ranking_[i] = by_behaviour[behaviour_of_[i]];
+      ranking_[i].entrant = i;
+    }
+  } else {
+    parallel_for(size(), settings_.threads, [&](std::size_t i, unsigned) { ranking_[i] = entry(i); });
+  }
+  add_up_against_roster();
+  std::sort(ranking_.begin(), ranking_.end(), [](const RankingEntry& a, const RankingEntry& b) {
+    return std::pair(-a.total, a.entrant) < std::pair(-b.total, b.entrant);
+  });
+  const long double slack = rounding * largest_score_ / scale_ * static_cast<double>(opponents());
+  const auto equal = [&](const RankingEntry& a, const RankingEntry& b) {
+    const bool exact = is_exact(a.method, settings_.criterion) && is_exact(b.method, settings_.criterion);
+    return exact ? a.total == b.total : std::abs(a.total - b.total) <= slack;
+  };
+  for (auto first = ranking_.begin(); first != ranking_.end();) {
+    const auto last = std::find_if(first, ranking_.end(), [&](const auto& e) { return !equal(e, *first); });
+    // Totals that differ by rounding alone stand in roster order, like equal ones.
+    std::sort(first, last, [](const auto& a, const auto& b) { return a.entrant < b.entrant; });
+    const auto shared = static_cast<std::size_t>(first - ranking_.begin()) + 1;
+    for (; first != last; ++first) first->rank = shared;
+  }
+}
+
+void Tournament::add_up_against_roster() {
+  std::vector<long double> members(behaviours_, 0);
+  for (std::size_t i = 0; i < core_; ++i) members[behaviour_of_[i]] += 1;
+  std::vector<long double> sums(behaviours_, 0);
+  for (std::size_t a = 0; a < behaviours_; ++a)
+    for (std::size_t b = 0; b < behaviours_; ++b)
+      sums[a] += members[b] * static_cast<long double>(scores_[a * behaviours_ + b]);
+  for (auto& entry : ranking_) {
+    const std::size_t i = entry.entrant;
+    const long double itself = i < core_ ? static_cast<long double>(scores_[cell(i, i)]) : 0;
+    entry.total_against_roster = (sums[behaviour_of_[i]] - itself) / static_cast<long double>(scale_);
+  }
+}
+
+void Tournament::sign() {
+  std::vector<std::uint64_t> rows(behaviours_);
+  parallel_for(behaviours_, settings_.threads, [&](std::size_t a, unsigned) {
+    Signature row;
+    for (std::size_t b = 0; b < behaviours_; ++b) {
+      row.add(scores_[a * behaviours_ + b]);
+      row.add(cooperations_[a * behaviours_ + b]);
+    }
+    for (const auto& guesses : guesses_[a]) {
+      row.add(guesses.right);
+      row.add(guesses.all);
+    }
+    rows[a] = row.value();
+  });
+  Signature signature;
+  signature.add(settings_.criterion.to_string());
+  signature.add(to_text(settings_.payoffs));
+  signature.add(settings_.noise);
+  signature.add(static_cast<std::uint64_t>(settings_.self_play));
+  signature.add(core_);
+  for (std::size_t i = 0; i < size(); ++i) {
+    signature.add(name(i));
+    signature.add(behaviour_of_[i]);
+  }
+  for (const std::uint64_t row : rows) signature.add(row);
+  signature_ = signature.value();
+}
+
+}  // namespace folk

@@ -1,0 +1,41 @@
+#pragma once
+// Windows that grow token by token, side by side: the network's hidden states at play, keys and values of past tokens
+// kept.
+
+#include <folk/sct/network/network.h>
+
+#include <vector>
+
+namespace folk::sct {
+
+/// The tokens of one window or of several of the same length. What append() says of a token is what training would have
+/// computed for it at that place; it does not depend on the windows beside it.
+class Stream {
+public:
+  /// `network` and `parameters` must outlive this. There is room for the tokens of `rounds` rounds, of `context` when
+  /// 0.
+  Stream(const Network<float>& network, const float* parameters, std::size_t windows = 1, std::size_t rounds = 0);
+
+  std::size_t windows() const { return windows_; }
+  std::size_t tokens() const { return tokens_; }  ///< of each window
+
+  /// Forgets all tokens but the first `tokens`.
+  void keep(std::size_t tokens) { tokens_ = std::min(tokens_, tokens); }
+
+  /// Adds embedded tokens [windows * n, h], window after window; returns the final hidden states of the last `asked` of
+  /// each [windows * asked, h].
+  const Matrix<float>& append(const Matrix<float>& embedded, std::size_t asked = 1);
+
+private:
+  const Network<float>& network_;
+  const float* parameters_;
+  std::size_t windows_;
+  std::size_t tokens_ = 0;
+  Index capacity_;                              // tokens of a window
+  std::vector<Matrix<float>> keys_and_values_;  // [windows * capacity, 2h] a layer
+  LayerNormTape<float> norm_;
+  AttentionTape<float> attention_;
+  Matrix<float> x_, normal_, kv_, q_, context_, inner_, hidden_;
+};
+
+}  // namespace folk::sct

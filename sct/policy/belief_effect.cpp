@@ -1,0 +1,48 @@
+#include <folk/analysis/play/parallel.h>
+#include <folk/sct/policy/belief_effect.h>
+#include <folk/sct/policy/sct_player.h>
+#include <folk/sct/training/aggregation.h>
+
+namespace folk::sct {
+namespace {
+
+Move greedy(const Thought& thought) { return likelier_move(thought.cooperation); }
+
+BeliefEffect effect_in(const Trajectory& match, const Mind& mind) {
+  const auto& training = mind.policy.training;
+  Thinker thinker(mind);
+  Memory memory = first_memory(training.return_target / training.return_scale);
+  BeliefEffect effect;
+  for (std::size_t t = 0; t < match.rounds(); ++t) {
+    const auto thought = thinker.think(memory);
+    if (mind.policy.architecture.belief_token) {
+      effect.changed_by_c += greedy(thinker.think(memory, 0)) != match.own[t] ? 1U : 0U;
+      effect.changed_by_d += greedy(thinker.think(memory, 1)) != match.own[t] ? 1U : 0U;
+    }
+    remember(memory, match.own[t], match.theirs[t], likelier_move(thought.belief),
+             match.rewards[t] / training.return_scale);
+    ++effect.rounds;
+  }
+  return effect;
+}
+
+}  // namespace
+
+std::vector<BeliefEffect> belief_effects(const std::shared_ptr<const Mind>& mind, const std::vector<Strategy>& roster,
+                                         unsigned threads) {
+  const auto& training = mind->policy.training;
+  const auto matches = play_and_record(transformer("policy", mind), roster, training.payoffs, training.rounds, 0, 1,
+                                       training.seed, threads);
+  std::vector<BeliefEffect> effects(matches.size());
+  parallel_for(matches.size(), threads, [&](std::size_t i, unsigned) { effects[i] = effect_in(matches[i], *mind); });
+  return effects;
+}
+
+BeliefEffect belief_effect(const std::shared_ptr<const Mind>& mind, const std::vector<Strategy>& roster,
+                           unsigned threads) {
+  BeliefEffect sum;
+  for (const auto& effect : belief_effects(mind, roster, threads)) sum += effect;
+  return sum;
+}
+
+}  // namespace folk::sct

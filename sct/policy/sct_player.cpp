@@ -1,0 +1,135 @@
+#include <folk/analysis/play/parallel.h>
+#include <folk/games/error.h>
+#include <folk/sct/policy/sct_player.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace folk::sct {
+namespace {
+
+class TransformerPlayer final : public Player {
+public:
+  TransformerPlayer(std::string name, std::shared_ptr<const Mind> mind, const PlayOptions& options)
+      : name_(std::move(name)),
+        mind_(std::move(mind)),
+        options_(options) {}
+
+  void start(const MatchStart& match) override {
+    const auto& training = mind_->policy.training;
+    if (!options_.extrapolate) refuse_unknown(match);
+    rewards_ = match.payoffs.numbers();
+    double target = options_.target.value_or(training.return_target);
+    if (match.criterion.is_finite() && match.criterion.rounds() < training.rounds)
+      target *= static_cast<double>(match.criterion.rounds()) / static_cast<double>(training.rounds);
+    memory_ = first_memory(target / training.return_scale);
+    random_ = RandomStream(match.random);
+    thought_.reset();
+    thinker_.emplace(*mind_);
+  }
+
+  Move move() override {
+    if (!thought_) think();
+    if (options_.sample) return random_.chance(thought_->cooperation) ? Move::C : Move::D;
+    return likelier_move(thought_->cooperation);
+  }
+
+  void observe(Move own, Move theirs) override {
+    remember(memory_, own, theirs, likelier_move(thought_ ? thought_->belief : 0.5),
+             rewards_[outcome(own, theirs)] / mind_->policy.training.return_scale);
+    thought_.reset();
+  }
+
+  std::optional<double> belief() const override {
+    if (!thought_ || !mind_->believes()) return std::nullopt;
+    return thought_->belief;
+  }
+
+  /// What was thought of a window is copied only where the next round's window begins with the same rounds.
+  std::unique_ptr<Player> clone() const override {
+    auto copy = std::make_unique<TransformerPlayer>(name_, mind_, options_);
+    copy->memory_ = memory_;
+    copy->rewards_ = rewards_;
+    copy->random_ = random_;
+    copy->thought_ = thought_;
+    if (memory_.own.size() + (thought_ ? 1 : 0) < mind_->policy.architecture.context && thinker_)
+      copy->thinker_.emplace(*thinker_);
+    return copy;
+  }
+
+  /// Equal histories are thought through once.
+  void think_together(std::span<Player* const> peers, unsigned threads) override {
+    std::vector<TransformerPlayer*> players;
+    for (Player* peer : peers)
+      if (auto* player = dynamic_cast<TransformerPlayer*>(peer)) players.push_back(player);
+    std::vector<TransformerPlayer*> distinct;
+    std::vector<std::size_t> like(players.size());
+    for (std::size_t i = 0; i < players.size(); ++i) {
+      const auto same = [&](const TransformerPlayer* other) {
+        return other->mind_ == players[i]->mind_ && other->memory_ == players[i]->memory_;
+      };
+      const auto found = std::find_if(distinct.begin(), distinct.end(), same);
+      like[i] = static_cast<std::size_t>(found - distinct.begin());
+      if (found == distinct.end()) distinct.push_back(players[i]);
+    }
+    parallel_for(distinct.size(), threads, [&](std::size_t i, unsigned) { distinct[i]->think(); });
+    for (std::size_t i = 0; i < players.size(); ++i)
+      if (distinct[like[i]] != players[i]) players[i]->think_like(*distinct[like[i]]);
+  }
+
+private:
+  void think() {
+    if (!thinker_) thinker_.emplace(*mind_);
+    std::optional<std::uint8_t> forced;
+    if (options_.forced_belief) forced = static_cast<std::uint8_t>(bit(*options_.forced_belief));
+    thought_ = thinker_->think(memory_, forced);
+  }
+
+  /// Takes over what the other keeps for its next thoughts too: the same rounds thought through in other portions would
+  /// differ in their last bits.
+  void think_like(const TransformerPlayer& other) {
+    thinker_.emplace(*other.thinker_);
+    thought_ = other.thought_;
+  }
+
+  void refuse_unknown(const MatchStart& match) const {
+    const auto& training = mind_->policy.training;
+    const auto refuse = [&](const std::string& what) {
+      throw UsageError(fmt::format("{} was trained on {}, {} rounds of {}: give --extrapolate to let it play {}", name_,
+                                   training.data, training.rounds, to_text(training.payoffs), what));
+    };
+    if (!(match.payoffs == training.payoffs)) refuse(to_text(match.payoffs));
+    if (!match.criterion.is_finite()) refuse(match.criterion.to_string());
+    if (match.criterion.rounds() > training.rounds) refuse(fmt::format("{} rounds", match.criterion.rounds()));
+  }
+
+  std::string name_;
+  std::shared_ptr<const Mind> mind_;
+  PlayOptions options_;
+  std::optional<Thinker> thinker_;
+  Memory memory_;
+  std::array<double, 4> rewards_{};
+  RandomStream random_;
+  std::optional<Thought> thought_;
+};
+
+}  // namespace
+
+Strategy transformer(std::string name, std::shared_ptr<const Mind> mind, const PlayOptions& options) {
+  Strategy strategy;
+  strategy.name = name;
+  strategy.deterministic = !options.sample;
+  strategy.thinks_together = true;
+  if (options.extrapolate)
+    strategy.caveat =
+        fmt::format("{} extrapolates: it was trained on {} rounds of {}, its last time row stands for later ones", name,
+                    mind->policy.training.rounds, to_text(mind->policy.training.payoffs));
+  strategy.make_player = [name = std::move(name), mind = std::move(mind), options] {
+    return std::make_unique<TransformerPlayer>(name, mind, options);
+  };
+  return strategy;
+}
+
+}  // namespace folk::sct

@@ -1,0 +1,130 @@
+#include <folk/games/error.h>
+#include <folk/sct/policy/thinker.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace folk::sct {
+namespace {
+
+std::vector<std::size_t> play_tokens(const Architecture& architecture) {
+  std::vector<std::size_t> tokens{architecture.observation_token(0)};
+  if (architecture.belief_token) tokens.push_back(architecture.opponent_token());
+  return tokens;
+}
+
+Policy playable(Policy policy) {
+  const auto& architecture = policy.architecture;
+  if (architecture.agents != 1 || !architecture.discrete || architecture.action_size != 2 ||
+      architecture.observation_size != observation_size)
+    throw UsageError(fmt::format(
+        "the policy has {} agents, {} actions of size {} and observations of size {}: a player of 2x2 games has one "
+        "agent, two actions and observations of size {}",
+        architecture.agents, architecture.discrete ? "discrete" : "continuous", architecture.action_size,
+        architecture.observation_size, observation_size));
+  return policy;
+}
+
+/// P(class 0) of two logits.
+double first_class(const Matrix<float>& logits) {
+  return 1 / (1 + std::exp(static_cast<double>(logits(0, 1)) - static_cast<double>(logits(0, 0))));
+}
+
+}  // namespace
+
+Memory first_memory(double target) {
+  Memory memory;
+  memory.returns.push_back(static_cast<float>(target));
+  memory.observations.push_back(start_observation);
+  return memory;
+}
+
+void remember(Memory& memory, Move own, Move theirs, Move believed, double reward) {
+  memory.opponent.push_back(static_cast<std::uint8_t>(bit(theirs)));
+  memory.own.push_back(static_cast<std::uint8_t>(bit(own)));
+  memory.beliefs.push_back(static_cast<std::uint8_t>(bit(believed)));
+  memory.observations.push_back(observation_of(own, theirs));
+  memory.returns.push_back(memory.returns.back() - static_cast<float>(reward));
+}
+
+Mind::Mind(Policy trained)
+    : policy(playable(std::move(trained))),
+      network(policy.architecture),
+      heads(policy.architecture, network.layout(), play_tokens(policy.architecture)) {}
+
+Thinker::Thinker(const Mind& mind)
+    : mind_(mind),
+      belief_line_{Stream(mind.network, mind.policy.parameters.data())} {
+  if (mind.policy.training.mode == LossMode::selfconf)
+    action_line_.emplace(Line{Stream(mind.network, mind.policy.parameters.data())});
+}
+
+/// Embeds all tokens of the rounds from `first` to the present one; what is not known of the latter yet reads 0.
+void Thinker::embed_rounds(const Memory& memory, const std::vector<std::uint8_t>& slots, std::size_t first) {
+  const std::size_t now = memory.own.size();
+  const auto& architecture = mind_.policy.architecture;
+  Batch<float> batch;
+  for (std::size_t t = first; t <= now; ++t) {
+    batch.returns.push_back(memory.returns[t]);
+    for (std::size_t k = 0; k < observation_size; ++k)
+      batch.observations.push_back(k == memory.observations[t] ? 1.0F : 0.0F);
+    batch.timesteps.push_back(static_cast<std::int32_t>(std::min(t, architecture.time_rows - 1)));
+    batch.opponent.classes.push_back(t < slots.size() ? slots[t] : 0);
+    batch.own.classes.push_back(t < now ? memory.own[t] : 0);
+  }
+  batch.window_rounds = {now + 1 - first};
+  std::vector<std::size_t> every(architecture.round_tokens());
+  for (std::size_t i = 0; i < every.size(); ++i) every[i] = i;
+  const Chunk<float> chunk{batch, 0, 0, batch.window_rounds};
+  const TokenRows rows(batch.window_rounds, every.size(), every);
+  embed(architecture, mind_.network.embedding(), mind_.policy.parameters.data(), chunk, batch.opponent, rows, Dropout(),
+        embedding_, embedded_);
+}
+
+/// The stream up to and with the present observation; returns the latter's hidden state.
+Matrix<float> Thinker::advance(Line& line, const Memory& memory, const std::vector<std::uint8_t>& slots) {
+  const auto& architecture = mind_.policy.architecture;
+  const std::size_t now = memory.own.size();
+  const std::size_t first = now + 1 > architecture.context ? now + 1 - architecture.context : 0;
+  if (first != line.first_round || line.settled > now) line.settled = first;
+  if (line.settled < first) line.settled = first;
+  line.first_round = first;
+  line.stream.keep((line.settled - first) * architecture.round_tokens());
+  embed_rounds(memory, slots, line.settled);
+  const Index past = index((now - line.settled) * architecture.round_tokens());
+  const Index ready = past + index(architecture.observation_token(0)) + 1;
+  line.settled = now;
+  return line.stream.append(embedded_.topRows(ready));
+}
+
+/// The present belief token, embedded.
+Matrix<float> Thinker::slot_token(const Memory& memory, std::uint8_t slot) {
+  const std::size_t now = memory.own.size();
+  std::vector<std::uint8_t> slots(now + 1, slot);
+  embed_rounds(memory, slots, now);
+  return embedded_.row(index(mind_.policy.architecture.opponent_token()));
+}
+
+Thought Thinker::think(const Memory& memory, std::optional<std::uint8_t> forced_belief) {
+  const auto& architecture = mind_.policy.architecture;
+  const float* parameters = mind_.policy.parameters.data();
+  Thought thought;
+  Matrix<float> hidden(index(mind_.heads.read().size()), index(architecture.hidden));
+  Matrix<float> logits;
+  hidden.row(0) = advance(belief_line_, memory, memory.opponent);
+  if (mind_.believes()) {
+    mind_.heads.belief(parameters, hidden, logits);
+    thought.belief = first_class(logits);
+  }
+  const auto slot = forced_belief.value_or(thought.belief >= 0.5 ? 0 : 1);
+  auto& acting = action_line_ ? *action_line_ : belief_line_;
+  if (action_line_) hidden.row(0) = advance(*action_line_, memory, memory.beliefs);
+  if (architecture.belief_token) hidden.row(1) = acting.stream.append(slot_token(memory, slot));
+  mind_.heads.action(parameters, hidden, logits);
+  thought.cooperation = first_class(logits);
+  return thought;
+}
+
+}  // namespace folk::sct

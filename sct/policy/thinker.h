@@ -1,0 +1,84 @@
+#pragma once
+// What a trained policy thinks in one round of one match: its belief, and the action it takes on it.
+
+#include <folk/sct/data/windows.h>
+#include <folk/sct/network/heads.h>
+#include <folk/sct/network/stream.h>
+#include <folk/sct/policy/policy.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace folk::sct {
+
+/// A policy made ready to play; shared by all its players.
+struct Mind {
+  /// Throws UsageError for a policy that cannot play 2x2 games: other observations, more agents, continuous actions.
+  explicit Mind(Policy policy);
+
+  Policy policy;
+  Network<float> network;
+  Heads<float> heads;  ///< on the hidden states of the observation and, where there is one, of the belief token
+
+  bool believes() const { return policy.training.mode != LossMode::action_only; }
+};
+
+/// All that a player remembers of a match; past rounds have an entry in each vector.
+struct Memory {
+  std::vector<float> returns;              ///< the return tokens, scaled; one more than past rounds
+  std::vector<std::uint8_t> observations;  ///< likewise
+  std::vector<std::uint8_t> opponent;      ///< moves
+  std::vector<std::uint8_t> own;           ///< moves
+  std::vector<std::uint8_t> beliefs;       ///< the moves that were held likelier
+
+  bool operator==(const Memory&) const = default;
+};
+
+/// Before the first round; `target`: the asked return, scaled.
+Memory first_memory(double target);
+
+/// A round was played: what was really moved, which move was held likelier, what it paid (scaled).
+void remember(Memory& memory, Move own, Move theirs, Move believed, double reward);
+
+struct Thought {
+  double belief = 0.5;       ///< P(the opponent plays C)
+  double cooperation = 0.5;  ///< P(own C) by the action head
+};
+
+/// Thinks one match through, round by round, with exactly the windows that training drew: the last `context` rounds,
+/// each with its own row of the time table.
+///
+/// In the past belief slots stands what training put there. `teacher`: the true moves. `selfconf`: the beliefs; these
+/// come from a stream of their own whose past slots hold the true moves, as in the first pass of training, and stay
+/// what they were when they were held (training forms them anew from each window's first round).
+class Thinker {
+public:
+  /// `mind` must outlive this.
+  explicit Thinker(const Mind& mind);
+
+  /// The round after memory.own.size() past ones. `forced_belief`: this move stands in the belief slot whatever the
+  /// belief is.
+  Thought think(const Memory& memory, std::optional<std::uint8_t> forced_belief = std::nullopt);
+
+private:
+  /// A stream with what its belief slots hold, and how many of its tokens are as they must be.
+  struct Line {
+    Stream stream;
+    std::size_t first_round = 0;
+    std::size_t settled = 0;  // past rounds whose tokens are all in the stream
+  };
+
+  Matrix<float> advance(Line& line, const Memory& memory, const std::vector<std::uint8_t>& slots);
+  Matrix<float> slot_token(const Memory& memory, std::uint8_t slot);
+  void embed_rounds(const Memory& memory, const std::vector<std::uint8_t>& slots, std::size_t first);
+
+  const Mind& mind_;
+  Line belief_line_;
+  std::optional<Line> action_line_;  // of selfconf
+  EmbeddingTape<float> embedding_;
+  Matrix<float> embedded_;
+};
+
+}  // namespace folk::sct

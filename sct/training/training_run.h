@@ -1,0 +1,95 @@
+#pragma once
+// A whole training run: steps, evaluations, and the policy that is kept.
+
+#include <folk/analysis/play/sampled_play.h>
+#include <folk/sct/policy/policy.h>
+#include <folk/sct/training/aggregation.h>
+#include <folk/sct/training/checkpoint.h>
+#include <folk/sct/training/selection.h>
+#include <folk/sct/training/trainer.h>
+#include <folk/strategies/strategy.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace folk::sct {
+
+/// What a run does beside training.
+struct RunSettings {
+  std::uint64_t steps = 10'000;
+  std::uint64_t evaluate_every = 250;       ///< steps; the end is evaluated in any case
+  std::vector<double> targets;              ///< the grid, unscaled, at least one
+  Sampling validation;                      ///< how the policy plays when it is evaluated
+  std::uint64_t aggregate_every = 0;        ///< steps between additions to the data by a teacher; 0: none
+  std::uint64_t aggregate_repetitions = 4;  ///< matches against each opponent whose own moves slip, beside one without
+  double aggregate_slip = 0.05;             ///< their probability
+  std::string description;                  ///< all that the run depends on: Checkpoint::run
+};
+
+/// Does one thing at a time, so that its caller can stop between any two, save the run and go on with it elsewhere.
+class TrainingRun {
+public:
+  /// `roster`: whom the policy plays in its evaluations. `record`: what the policy file says beside what is measured.
+  /// `teacher`: labels what the policy meets in training, every aggregate_every steps; null where that is 0.
+  TrainingRun(RunSettings settings, const TrainingSettings& training, std::vector<Lesson> lessons,
+              std::vector<Strategy> roster, TrainingRecord record,
+              std::shared_ptr<const BayesTeacher> teacher = nullptr);
+
+  std::uint64_t steps() const { return trainer_.steps(); }
+  bool finished() const { return steps() >= settings_.steps; }
+
+  /// One step of training. Throws UsageError when the losses are no numbers any more.
+  void step();
+
+  /// True at each multiple of evaluate_every and at the end, until evaluate() is done.
+  bool evaluation_due() const;
+
+  /// True when a longer run would not evaluate here: an evaluation that should not be in a checkpoint.
+  bool only_due_at_the_end() const { return steps() % settings_.evaluate_every != 0; }
+
+  /// Plays the validation matches and applies the rule of selection.h. False, and nothing has happened, when `stopped`
+  /// says so before they are over.
+  bool evaluate(const std::function<bool()>& stopped);
+
+  /// Losses since the last evaluation.
+  const LossSums& losses() const { return losses_; }
+
+  const std::vector<Evaluation>& history() const { return history_; }
+
+  /// Index in the history of the evaluation whose policy is kept.
+  std::size_t kept() const { return kept_; }
+
+  /// How many matches the teacher has labelled in training.
+  std::size_t added() const { return added_.size(); }
+
+  /// The kept policy, with its target; there must be a history.
+  Policy policy() const;
+
+  Checkpoint checkpoint() const;
+
+  /// Goes on from a checkpoint of this run. Throws UsageError when it is of another run, or of a later step than this
+  /// run's last.
+  void restore(Checkpoint checkpoint);
+
+private:
+  Policy policy_with(std::vector<float> parameters) const;
+  void aggregate();
+
+  RunSettings settings_;
+  TrainingSettings training_;
+  std::vector<Strategy> roster_;
+  TrainingRecord record_;
+  std::shared_ptr<const BayesTeacher> teacher_;
+  Trainer trainer_;
+  LossSums losses_;
+  std::vector<Lesson> added_;
+  std::vector<Evaluation> history_;
+  std::size_t kept_ = 0;
+  std::vector<float> kept_parameters_;
+};
+
+}  // namespace folk::sct

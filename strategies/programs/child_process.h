@@ -1,0 +1,65 @@
+#pragma once
+// A shell command that runs beside us, with lines of text in both directions.
+
+#include <folk/strategies/programs/file_descriptor.h>
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace folk {
+
+/// `/bin/sh -c COMMAND` with its stdin and stdout on pipes of ours; stderr is shared with ours.
+///
+/// Safe to use from many threads, one thread a child: nothing leaks into another child (close-on-exec throughout),
+/// nothing runs between fork and exec, and the process's signal handling is left as it is.
+/// The child leads a process group of its own, which is gone when the object is.
+class ChildProcess {
+public:
+  /// A line of the child may have this many bytes, its end not counted.
+  static constexpr std::size_t longest_line = 4096;
+
+  /// `name` is what messages call the child. Throws EnvironmentError when no process can be started.
+  ChildProcess(std::string name, const std::string& command);
+
+  /// Closes the child's stdin, waits `grace` unless the child was abandoned, and kills what is left of its process
+  /// group.
+  ~ChildProcess();
+
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
+
+  /// Writes whole lines. Throws EnvironmentError when the child ended or does not take them in `time_out`.
+  void send(std::string_view lines, std::chrono::milliseconds time_out);
+
+  /// The next line, without its end. Throws EnvironmentError when the child ended, when the line is not whole in
+  /// `time_out`, or when it is longer than longest_line.
+  std::string receive(std::chrono::milliseconds time_out);
+
+  /// True when the child has written something that was not received yet. Throws EnvironmentError when it ended.
+  bool has_spoken();
+
+  /// Leaves the destructor nothing to wait for.
+  void abandon() { abandoned_ = true; }
+
+  /// What the destructor allows the child to end by itself.
+  static constexpr std::chrono::milliseconds grace{1000};
+
+private:
+  bool read_some();
+  [[noreturn]] void fail(const std::string& what) const;
+  [[noreturn]] void fail_ended() const;
+  bool wait_for_end(std::chrono::milliseconds limit) const;
+
+  std::string name_;
+  pid_t id_ = -1;
+  FileDescriptor to_child_;
+  FileDescriptor from_child_;
+  std::string received_;
+  bool abandoned_ = false;
+};
+
+}  // namespace folk

@@ -1,0 +1,53 @@
+#include <folk/analysis/play/parallel.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace folk {
+namespace {
+
+TEST(ParallelThreads, DoEachPieceOnce) {
+  for (const unsigned threads : {1U, 2U, 5U}) {
+    std::vector<int> done(1000, 0);
+    parallel_for(done.size(), threads, [&](std::size_t i, unsigned worker) {
+      ASSERT_LT(worker, threads);
+      ++done[i];
+    });
+    EXPECT_EQ(done, std::vector<int>(1000, 1));
+  }
+}
+
+TEST(ParallelThreads, RethrowAndStop) {
+  std::atomic<int> begun{0};
+  try {
+    parallel_for(100'000, 3, [&](std::size_t i, unsigned) {
+      ++begun;
+      if (i == 7) throw std::runtime_error("seven");
+    });
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(std::string(error.what()), "seven");
+  }
+  EXPECT_LT(begun, 100'000);
+}
+
+TEST(ParallelThreads, ReportRisingProgress) {
+  double last = 0;
+  parallel_for(
+      50, 4, [](std::size_t, unsigned) {},
+      [&](double fraction) {
+        EXPECT_GT(fraction, last);
+        last = fraction;
+      });
+  EXPECT_EQ(last, 1.0);
+}
+
+TEST(Parallel, DoesNothingForNothing) {
+  parallel_for(0, 4, [](std::size_t, unsigned) { FAIL(); });
+}
+
+}  // namespace
+}  // namespace folk

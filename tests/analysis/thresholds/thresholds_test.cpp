@@ -1,0 +1,381 @@
+#include "analysis/play/naive.h"
+#include "games/expect_error.h"
+
+#include <folk/analysis/thresholds/thresholds.h>
+#include <folk/strategies/machine_text.h>
+#include <folk/strategies/registry.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace folk {
+namespace {
+
+/// One-shot and best-reply gains in doubles, by nothing but repeated substitution: the definitions, slowly.
+class SlowGains {
+public:
+  SlowGains(const Automaton& first, const Automaton& second, const Payoffs& payoffs, double d)
+      : machines_{&first, &second},
+        payoff_(payoffs.numbers()),
+        d_(d),
+        columns_(second.size()) {
+    solve_plans();
+  }
+
+  /// Payoffs are times 1 - d.
+  double self_confirming(Seat side) const {
+    double gain = 0;
+    std::size_t s = start();
+    for (std::size_t t = 0; t <= next_.size(); ++t, s = next_[s]) gain = std::max(gain, punished_gain(side, s));
+    return gain;
+  }
+
+  double subgame_perfect(Seat side) const {
+    double gain = 0;
+    std::vector<bool> seen(next_.size());
+    std::vector<std::size_t> open{start()};
+    seen[start()] = true;
+    while (!open.empty()) {
+      const std::size_t s = open.back();
+      open.pop_back();
+      gain = std::max(gain, one_shot_gain(side, s));
+      for (std::size_t o = 0; o < 4; ++o)
+        if (const std::size_t next = after(s, o); !seen[next]) {
+          seen[next] = true;
+          open.push_back(next);
+        }
+    }
+    return gain;
+  }
+
+  double nash(Seat side) const {
+    const Automaton& opponent = *machines_[side == Seat::row ? 1 : 0];
+    std::vector<double> value(opponent.size(), 0.0);
+    for (double left = 1; left > 1e-12; left *= d_)
+      for (std::size_t y = 0; y < value.size(); ++y) {
+        const Move theirs = move_of(opponent, y);
+        double best = -1e9;
+        for (const Move own : {Move::C, Move::D})
+          best = std::max(best, (1 - d_) * payoff_[outcome(own, theirs)] + d_ * value[opponent.next(y, theirs, own)]);
+        value[y] = best;
+      }
+    return value[opponent.start()] - worth(side, start());
+  }
+
+  /// Of one deviation from the plans after this history.
+  double gain_of(const Binding& binding) const {
+    std::size_t s = start();
+    for (const Round& round : binding.history) s = after(s, outcome(round.own, round.theirs));
+    EXPECT_NE(own_move(binding.side, s), binding.deviation);
+    if (binding.then == Binding::Then::minmax) return punished_gain(binding.side, s);
+    if (binding.then == Binding::Then::plan) return one_shot_gain(binding.side, s);
+    return nash(binding.side);
+  }
+
+private:
+  std::size_t start() const { return machines_[0]->start() * columns_ + machines_[1]->start(); }
+
+  std::size_t planned(std::size_t s) const {
+    return outcome(move_of(*machines_[0], s / columns_), move_of(*machines_[1], s % columns_));
+  }
+
+  Move own_move(Seat side, std::size_t s) const {
+    return move_from_bit(static_cast<unsigned>(side == Seat::row ? planned(s) >> 1U : planned(s)));
+  }
+
+  std::size_t after(std::size_t s, std::size_t o) const {
+    const Move a = move_from_bit(static_cast<unsigned>(o >> 1U));
+    const Move b = move_from_bit(static_cast<unsigned>(o));
+    return machines_[0]->next(s / columns_, a, b) * columns_ + machines_[1]->next(s % columns_, b, a);
+  }
+
+  double payoff(Seat side, std::size_t o) const {
+    return payoff_[side == Seat::row ? o
+                                     : outcome(move_from_bit(static_cast<unsigned>(o)),
+                                               move_from_bit(static_cast<unsigned>(o >> 1U)))];
+  }
+
+  double worth(Seat side, std::size_t s) const { return worth_[side == Seat::row ? 0 : 1][s]; }
+
+  /// All states at once, whether some history reaches them or not; the number of rounds doubles each time.
+  void solve_plans() {
+    const std::size_t n = machines_[0]->size() * columns_;
+    for (std::size_t s = 0; s < n; ++s) next_.push_back(after(s, planned(s)));
+    for (const Seat side : {Seat::row, Seat::column}) {
+      std::vector<double>& value = worth_[side == Seat::row ? 0 : 1];
+      for (std::size_t s = 0; s < n; ++s) value.push_back((1 - d_) * payoff(side, planned(s)));
+    }
+    std::vector<std::size_t> jump = next_;
+    for (double weight = d_; weight > 1e-14; weight *= weight) {
+      for (auto& value : worth_) {
+        std::vector<double> longer(n);
+        for (std::size_t s = 0; s < n; ++s) longer[s] = value[s] + weight * value[jump[s]];
+        value = std::move(longer);
+      }
+      std::vector<std::size_t> further(n);
+      for (std::size_t s = 0; s < n; ++s) further[s] = jump[jump[s]];
+      jump = std::move(further);
+    }
+  }
+
+  double one_shot_gain(Seat side, std::size_t s) const {
+    const std::size_t o = planned(s) ^ (side == Seat::row ? 2U : 1U);
+    return (1 - d_) * payoff(side, o) + d_ * worth(side, after(s, o)) - worth(side, s);
+  }
+
+  double punished_gain(Seat side, std::size_t s) const {
+    const std::size_t o = planned(s) ^ (side == Seat::row ? 2U : 1U);
+    return (1 - d_) * payoff(side, o) + d_ * mixed_minmax() - worth(side, s);
+  }
+
+  /// Their mixture that makes the better of two moves worst: pure, or one that makes both equal.
+  double mixed_minmax() const {
+    const auto best = [&](double q) {
+      return std::max(q * payoff_[0] + (1 - q) * payoff_[1], q * payoff_[2] + (1 - q) * payoff_[3]);
+    };
+    double least = std::min(best(0), best(1));
+    const double slope = payoff_[0] - payoff_[1] - payoff_[2] + payoff_[3];
+    const double q = slope == 0 ? -1 : (payoff_[3] - payoff_[1]) / slope;
+    if (q > 0 && q < 1) least = std::min(least, best(q));
+    return least;
+  }
+
+  std::array<const Automaton*, 2> machines_;
+  std::array<double, 4> payoff_;
+  double d_;
+  std::size_t columns_;
+  std::vector<std::size_t> next_;
+  std::array<std::vector<double>, 2> worth_;
+};
+
+Automaton machine(const std::string& name) {
+  return *tabulate(*Registry::standard().make(name).machine, Sense::any_own_moves);
+}
+
+std::string plays(const Binding& binding) {
+  std::string text;
+  for (const Round& round : binding.history) text += {to_char(round.own), to_char(round.theirs), ' '};
+  return text + (binding.side == Seat::row ? "first " : "second ") + to_char(binding.deviation);
+}
+
+struct Texts {
+  std::string nash;
+  std::string subgame_perfect;
+  std::string self_confirming;
+
+  bool operator==(const Texts&) const = default;
+  friend std::ostream& operator<<(std::ostream& out, const Texts& texts) {
+    return out << texts.nash << " | " << texts.subgame_perfect << " | " << texts.self_confirming;
+  }
+};
+
+Texts texts(const Thresholds& found) {
+  return {to_text(found.nash->set), to_text(found.subgame_perfect->set),
+          to_text(found.self_confirming_unrestricted->set)};
+}
+
+Texts against_itself(const std::string& name, const Payoffs& payoffs = {}) {
+  return texts(thresholds(machine(name), machine(name), payoffs));
+}
+
+TEST(Thresholds, OfTheKnownMachinesAgainstThemselves) {
+  EXPECT_EQ(against_itself("spiteful"), (Texts{"[1/2, 1)", "[1/2, 1)", "[1/2, 1)"}));
+  EXPECT_EQ(against_itself("tit_for_tat"), (Texts{"[2/3, 1)", "never", "[1/2, 1)"}));
+  EXPECT_EQ(against_itself("pavlov"), (Texts{"never", "never", "[1/2, 1)"}));
+  EXPECT_EQ(against_itself("all_d"), (Texts{"(0, 1)", "(0, 1)", "(0, 1)"}));
+  EXPECT_EQ(against_itself("grudger"), (Texts{"[1/2, 1)", "never", "[1/2, 1)"}));
+  EXPECT_EQ(against_itself("all_c"), (Texts{"never", "never", "[1/2, 1)"}));
+  EXPECT_EQ(against_itself("mistrust"), (Texts{"(0, 1/4]", "never", "(0, 1)"}));
+}
+
+TEST(Thresholds, PavlovIsSubgamePerfectWhereTemptationIsSmall) {
+  Payoffs payoffs;
+  payoffs.temptation = 4;
+  EXPECT_EQ(against_itself("pavlov", payoffs).subgame_perfect, "[1/2, 1)");
+  payoffs.temptation = parse_rational("4.5");  // (1 - d) T + d P <= R from 3/7 on, and Nash from T - R <= d (R - P)
+  EXPECT_EQ(against_itself("pavlov", payoffs), (Texts{"[3/4, 1)", "[3/4, 1)", "[3/7, 1)"}));
+}
+
+TEST(Thresholds, IrrationalEndsAreNamed) {
+  EXPECT_EQ(texts(thresholds(machine("tit_for_tat"), machine("hard_tft"), {})).nash,
+            "[root of 3 d^2 - 2 in (0.81, 0.82), 1)");
+  EXPECT_EQ(against_itself("per_cd").self_confirming, "[root of 2 d^2 - 1 in (0.70, 0.71), 1)");
+}
+
+TEST(Thresholds, TheDeviationThatBindsIsNamed) {
+  const Thresholds found = thresholds(machine("tit_for_tat"), machine("mistrust"), {});
+  // The moves alternate: C meets D, then D meets C.
+  ASSERT_EQ(to_text(found.nash->set), "[1/4, 2/3]");
+  const auto& part = found.nash->set.intervals()[0];
+  EXPECT_EQ(plays(found.nash->bindings[part.low.constraint]), "first D");
+  EXPECT_EQ(found.nash->bindings[part.low.constraint].then, Binding::Then::best_reply);
+  const Thresholds one_side = thresholds(machine("tit_for_tat"), machine("mistrust"), {}, Sides::second);
+  ASSERT_EQ(to_text(one_side.self_confirming_unrestricted->set), "[1/4, 1)");
+  EXPECT_EQ(plays(one_side.self_confirming_unrestricted->bindings[0]), "CD second D");
+}
+
+TEST(Thresholds, OneSideAloneMayHoldWhereBothDoNot) {
+  const Automaton all_d = machine("all_d");
+  const Automaton all_c = machine("all_c");
+  EXPECT_EQ(texts(thresholds(all_d, all_c, {}, Sides::first)).subgame_perfect, "(0, 1)");
+  EXPECT_EQ(texts(thresholds(all_d, all_c, {}, Sides::second)), (Texts{"never", "never", "never"}));
+  EXPECT_EQ(texts(thresholds(all_d, all_c, {})), (Texts{"never", "never", "never"}));
+}
+
+TEST(Thresholds, APointAloneIsKept) {
+  // With T = R and P = S a machine's own moves pay it nothing by themselves.
+  Payoffs payoffs;
+  payoffs.temptation = 3;
+  payoffs.sucker = 1;
+  EXPECT_EQ(against_itself("all_c", payoffs), (Texts{"(0, 1)", "(0, 1)", "(0, 1)"}));
+  // tit_for_tat wants d >= (T - R) / (R - S) for C for ever, and d <= (T - R) / (P - S) for no end of turns: at
+  // T + S = R + P both are the same point, which is where mistrust and it are in equilibrium.
+  payoffs.temptation = 4;
+  payoffs.sucker = 0;
+  const Thresholds found = thresholds(machine("tit_for_tat"), machine("mistrust"), payoffs);
+  EXPECT_EQ(to_text(found.nash->set), "{1/3}");
+  ASSERT_EQ(found.nash->bindings.size(), 2U);
+}
+
+TEST(Thresholds, WhatCannotBeComputedIsRefusedOrMissing) {
+  const Automaton mixing({{0.5, {0, 0, 0, 0}}}, 0);
+  test::expect_error<UsageError>([&] { thresholds(machine("all_d"), mixing, {}); }, "mixes");
+  const Automaton cut = unroll(machine("per_ccd"), Sense::any_own_moves, 2);
+  test::expect_error<UsageError>([&] { thresholds(cut, machine("all_d"), {}); }, "unrolled");
+  ThresholdLimits limits;
+  limits.joint_states = 1;
+  const Thresholds found = thresholds(machine("spiteful"), machine("spiteful"), {}, Sides::both, limits);
+  EXPECT_FALSE(found.subgame_perfect);
+  EXPECT_TRUE(found.nash && found.self_confirming_unrestricted);
+  // Nash never, so subgame perfect never.
+  const Thresholds settled = thresholds(machine("pavlov"), machine("pavlov"), {}, Sides::both, limits);
+  EXPECT_EQ(texts(settled).subgame_perfect, "never");
+  limits.terms = 2;
+  EXPECT_FALSE(thresholds(machine("per_ccd"), machine("tf2t"), {}, Sides::both, limits).nash);
+}
+
+/// C until a move is not the machine's or theirs not the same; then `rounds` rounds of D, anew after each such move.
+Automaton forgiving_trigger(std::uint32_t rounds) {
+  std::vector<Automaton::Node> nodes{{1, {0, 1, 1, 1}}};
+  for (std::uint32_t i = 1; i <= rounds; ++i) nodes.push_back({0, {1, 1, 1, i == rounds ? 0 : i + 1}});
+  return Automaton(std::move(nodes), 0);
+}
+
+TEST(Thresholds, LongerPunishmentNeedsLessPatience) {
+  // T - R <= (R - P)(d + ... + d^n), and in the punishment nobody gains: for n = 1 from d = 1, for n = 2 from the
+  // golden ratio less one.
+  EXPECT_EQ(texts(thresholds(forgiving_trigger(1), forgiving_trigger(1), {})).subgame_perfect, "never");
+  EXPECT_EQ(texts(thresholds(forgiving_trigger(2), forgiving_trigger(2), {})).subgame_perfect,
+            "[root of d^2 + d - 1 in (0.61, 0.62), 1)");
+  double last = 1;
+  for (const std::uint32_t rounds : {3U, 5U, 10U, 40U}) {
+    const Thresholds found = thresholds(forgiving_trigger(rounds), forgiving_trigger(rounds), {});
+    EXPECT_EQ(found.nash->set, found.subgame_perfect->set);
+    const double from = to_numbers(found.subgame_perfect->set).at(0)[0];
+    EXPECT_LT(from, last);
+    EXPECT_GE(from, 0.5);
+    last = from;
+  }
+}
+
+/// A pair of machines of 1 to `most` states, often a machine and itself, and a dilemma or any symmetric game.
+struct Case {
+  Automaton first;
+  Automaton second;
+  Payoffs payoffs;
+};
+
+Case random_case(RandomStream& random, std::uint32_t most) {
+  Automaton first = testing::random_automaton(random, most, true);
+  Automaton second = random.chance(0.5) ? first : testing::random_automaton(random, most, true);
+  Payoffs payoffs;
+  if (random.chance(0.3)) payoffs.temptation = 4;
+  if (random.chance(0.3)) {
+    const auto draw = [&] { return Rational(static_cast<int>(random() % 7) - 1, 1 + static_cast<int>(random() % 2)); };
+    payoffs = {draw(), draw(), draw(), draw()};
+  }
+  return {std::move(first), std::move(second), payoffs};
+}
+
+/// Forty discount factors from 1/45 to 39/45, and one of more patience.
+Rational scanned(std::uint64_t i) {
+  return i % 40 == 39 ? Rational(19, 20) : Rational(static_cast<int>(i % 40) + 1, 45);
+}
+
+// Rounding leaves gains of nothing below 1e-9. A true gain that small would need a d of denominator 45 within about
+// 1e-10 of an end: the ends are roots of polynomials with small coefficients, which come near such d much less closely
+// unless they are equal, and then the gain is nothing.
+bool gains_nothing(double first, double second) { return std::max(first, second) <= 1e-9; }
+
+void check_scan(const Case& pair, const Thresholds& found, const Rational& d) {
+  const SlowGains slow(pair.first, pair.second, pair.payoffs, to_double(d));
+  EXPECT_EQ(found.nash->set.contains(d), gains_nothing(slow.nash(Seat::row), slow.nash(Seat::column)));
+  EXPECT_EQ(found.subgame_perfect->set.contains(d),
+            gains_nothing(slow.subgame_perfect(Seat::row), slow.subgame_perfect(Seat::column)));
+  EXPECT_EQ(found.self_confirming_unrestricted->set.contains(d),
+            gains_nothing(slow.self_confirming(Seat::row), slow.self_confirming(Seat::column)));
+}
+
+bool is_subset(const Threshold& part, const Threshold& whole) {
+  DiscountSet both = part.set;
+  return !both.intersect(whole.set);
+}
+
+/// At each end its deviation gains nothing, to rounding; returns how many ends there were.
+std::size_t check_ends(const Case& pair, const Threshold& threshold) {
+  std::size_t ends = 0;
+  for (const auto& interval : threshold.set.intervals())
+    for (const DiscountSet::End& end : {interval.low, interval.high}) {
+      if (end.constraint == DiscountSet::no_constraint) continue;
+      ++ends;
+      const SlowGains slow(pair.first, pair.second, pair.payoffs, end.at.nearest());
+      EXPECT_NEAR(slow.gain_of(threshold.bindings.at(end.constraint)), 0, 1e-9);
+    }
+  return ends;
+}
+
+TEST(Thresholds, TenThousandPairsAreNestedAndAgreeWithScans) {
+  RandomStream random({20261122, 3, 0, 0});
+  std::size_t ends = 0;
+  for (std::uint64_t i = 0; i < 10'000 && !HasFailure(); ++i) {
+    const Case pair = random_case(random, i % 2 == 0 ? 8 : 3);
+    const Thresholds found = thresholds(pair.first, pair.second, pair.payoffs);
+    EXPECT_TRUE(is_subset(*found.subgame_perfect, *found.nash));
+    EXPECT_TRUE(is_subset(*found.nash, *found.self_confirming_unrestricted));
+    // Each fortieth pair at all forty discount factors, the others at four of them.
+    for (std::uint64_t k = 0; k < (i % 40 == 0 ? 40U : 4U); ++k) check_scan(pair, found, scanned(i + 11 * k));
+    for (const auto* threshold : {&found.nash, &found.subgame_perfect, &found.self_confirming_unrestricted})
+      ends += check_ends(pair, **threshold);
+    EXPECT_FALSE(HasFailure()) << "pair " << i << ":\n"
+                               << write_machine("first", pair.first) << write_machine("second", pair.second)
+                               << to_text(pair.payoffs) << ": " << texts(found);
+  }
+  EXPECT_GT(ends, 4'000U);  // the cases are not all "always" and "never"
+}
+
+bool same(const Thresholds& one, const Thresholds& two) {
+  return one.nash->set == two.nash->set && one.subgame_perfect->set == two.subgame_perfect->set &&
+         one.self_confirming_unrestricted->set == two.self_confirming_unrestricted->set;
+}
+
+RC_GTEST_PROP(Thresholds, SidesExchangedAreTheSame, ()) {
+  RandomStream random({*rc::gen::arbitrary<std::uint64_t>(), 4, 0, 0});
+  const Case pair = random_case(random, 8);
+  const auto one = [&](Sides sides) { return thresholds(pair.first, pair.second, pair.payoffs, sides); };
+  const auto two = [&](Sides sides) { return thresholds(pair.second, pair.first, pair.payoffs, sides); };
+  RC_ASSERT(same(one(Sides::both), two(Sides::both)));
+  RC_ASSERT(same(one(Sides::first), two(Sides::second)));
+  RC_ASSERT(same(one(Sides::second), two(Sides::first)));
+  Thresholds first = one(Sides::first);
+  const Thresholds second = one(Sides::second);
+  first.nash->set.intersect(second.nash->set);
+  first.subgame_perfect->set.intersect(second.subgame_perfect->set);
+  first.self_confirming_unrestricted->set.intersect(second.self_confirming_unrestricted->set);
+  RC_ASSERT(same(first, one(Sides::both)));
+}
+
+}  // namespace
+}  // namespace folk

@@ -1,0 +1,165 @@
+#include <folk/games/error.h>
+#include <folk/sct/data/tournament_data.h>
+#include <folk/sct/policy/policy_file.h>
+#include <folk/sct/training/training_run.h>
+#include <folk/strategies/registry.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "games/expect_error.h"
+
+namespace folk::sct {
+namespace {
+
+using test::expect_error;
+
+constexpr std::uint64_t rounds = 8;
+
+TrainingSettings small_settings(unsigned threads = 1) {
+  TrainingSettings settings;
+  settings.architecture.hidden = 8;
+  settings.architecture.layers = 1;
+  settings.architecture.context = settings.windows.context = 5;
+  settings.architecture.time_rows = rounds;
+  settings.windows.windows = 6;
+  settings.optimiser.learning_rate = 0.01;
+  settings.optimiser.warmup_steps = 3;
+  settings.averaging = 0.9;
+  settings.threads = threads;
+  return settings;
+}
+
+TrainingRun small_run(std::uint64_t steps = 10, unsigned threads = 1, std::string description = "seed = 1\n",
+                      std::uint64_t aggregate_every = 0) {
+  const auto roster = Registry::standard().roster("tit_for_tat,all_d,pavlov");
+  std::vector<Lesson> lessons;
+  for (const auto& trajectory : tournament_data(roster, {}, rounds)) lessons.push_back(imitation(trajectory));
+  RunSettings settings;
+  settings.steps = steps;
+  settings.evaluate_every = 4;
+  settings.targets = {20, 30};
+  settings.validation.criterion = Criterion::finite(rounds);
+  settings.validation.noise = 0.05;
+  settings.validation.repetitions = 2;
+  settings.validation.seed = 77;
+  settings.validation.threads = threads;
+  settings.description = std::move(description);
+  settings.aggregate_every = aggregate_every;
+  settings.aggregate_repetitions = 2;
+  std::shared_ptr<const BayesTeacher> teacher;
+  if (aggregate_every > 0) teacher = std::make_shared<const BayesTeacher>(roster, Payoffs{}, rounds, 20);
+  TrainingRecord record;
+  record.rounds = rounds;
+  record.criterion = "finite:8";
+  return {settings, small_settings(threads), std::move(lessons), roster, record, std::move(teacher)};
+}
+
+bool never() { return false; }
+
+void go_on(TrainingRun& run, std::uint64_t to) {
+  while (run.steps() < to) {
+    run.step();
+    if (run.evaluation_due()) run.evaluate(never);
+  }
+}
+
+std::string whole_run() {
+  auto run = small_run();
+  go_on(run, 10);
+  return policy_bytes(run.policy());
+}
+
+TEST(TrainingRun, EvaluatesAtMultiplesAndAtTheEnd) {
+  auto run = small_run();
+  go_on(run, 10);
+  ASSERT_EQ(run.history().size(), 3U);
+  EXPECT_EQ(run.history()[0].steps, 4U);
+  EXPECT_EQ(run.history()[1].steps, 8U);
+  EXPECT_EQ(run.history()[2].steps, 10U);
+  EXPECT_EQ(run.history()[2].scores.size(), 2U);
+  const auto& kept = run.history()[run.kept()];
+  for (std::size_t i = 0; i < run.kept(); ++i) EXPECT_TRUE(takes_over(kept, run.history()[i]));
+  for (std::size_t i = run.kept() + 1; i < 3; ++i) EXPECT_FALSE(takes_over(run.history()[i], kept));
+}
+
+TEST(TrainingRun, ThePolicyIsTheKeptOne) {
+  auto run = small_run();
+  go_on(run, 10);
+  const auto policy = run.policy();
+  const auto& kept = run.history()[run.kept()];
+  EXPECT_EQ(policy.training.steps, kept.steps);
+  EXPECT_EQ(policy.training.return_target, best_target(kept).target);
+  EXPECT_EQ(policy.training.final_belief_loss, kept.belief_loss);
+  auto again = small_run();
+  go_on(again, kept.steps);
+  EXPECT_EQ(policy.parameters, again.policy().parameters);
+}
+
+TEST(TrainingRun, GoesOnFromAnyStepAsIfItHadNeverStopped) {
+  const auto whole = whole_run();
+  for (std::uint64_t stop = 0; stop <= 10; ++stop) {
+    auto first = small_run();
+    go_on(first, stop);
+    const auto saved = checkpoint_bytes(first.checkpoint());
+    auto second = small_run();
+    second.restore(parse_checkpoint(saved, "saved"));
+    go_on(second, 10);
+    EXPECT_EQ(policy_bytes(second.policy()), whole) << stop;
+  }
+}
+
+TEST(TrainingRun, GoesOnWithWhatItsTeacherHasLabelled) {
+  const auto begin = [](unsigned threads) { return small_run(10, threads, "seed = 1\n", 3); };
+  auto whole = begin(1);
+  go_on(whole, 10);
+  EXPECT_EQ(whole.added(), 27U);  // at steps 3, 6 and 9, against each of 3 once without slips and twice with
+  for (const std::uint64_t stop : {2, 3, 4, 8}) {
+    auto first = begin(1);
+    go_on(first, stop);
+    auto second = begin(2);
+    second.restore(parse_checkpoint(checkpoint_bytes(first.checkpoint()), "saved"));
+    go_on(second, 10);
+    EXPECT_EQ(checkpoint_bytes(second.checkpoint()), checkpoint_bytes(whole.checkpoint())) << stop;
+  }
+}
+
+TEST(TrainingRun, ThreadsChangeNothing) {
+  auto first = small_run(10, 2);
+  go_on(first, 5);
+  auto second = small_run(10, 3);
+  second.restore(first.checkpoint());
+  go_on(second, 10);
+  EXPECT_EQ(policy_bytes(second.policy()), whole_run());
+}
+
+TEST(TrainingRun, AnEvaluationThatIsStoppedHasNotBeen) {
+  auto run = small_run();
+  for (int i = 0; i < 4; ++i) run.step();
+  const auto before = checkpoint_bytes(run.checkpoint());
+  int asked = 0;
+  EXPECT_FALSE(run.evaluate([&] { return ++asked == 2; }));
+  EXPECT_EQ(checkpoint_bytes(run.checkpoint()), before);
+  EXPECT_TRUE(run.evaluation_due());
+  EXPECT_TRUE(run.evaluate(never));
+  EXPECT_FALSE(run.evaluation_due());
+}
+
+TEST(TrainingRun, RefusesTheCheckpointsOfOtherRuns) {
+  auto run = small_run();
+  go_on(run, 5);
+  const auto checkpoint = run.checkpoint();
+  auto other = small_run(10, 1, "seed = 2\n");
+  expect_error<UsageError>([&] { other.restore(checkpoint); }, "seed = 1 there, 2 here");
+  auto shorter = small_run(4);
+  expect_error<UsageError>([&] { shorter.restore(checkpoint); }, "at step 5, beyond the last, 4");
+  auto foreign = checkpoint;
+  foreign.training.parameters.pop_back();
+  expect_error<UsageError>([&] { run.restore(foreign); }, "another network");
+}
+
+}  // namespace
+}  // namespace folk::sct

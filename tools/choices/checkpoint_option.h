@@ -1,0 +1,43 @@
+#pragma once
+// The options that keep a training run: --checkpoint DIR and --resume.
+
+#include <folk/tools/program/program.h>
+
+#include <fmt/format.h>
+#include <folk/games/error.h>
+
+#include <memory>
+#include <string>
+
+namespace folk::tools {
+
+/// Adds --checkpoint and --resume.
+inline void add_checkpoint_options(po::options_description& options) {
+  auto add = options.add_options();
+  add("checkpoint", po::value<std::string>(), "folder for the last two checkpoints");
+  add("resume", "go on from the newest checkpoint in the folder");
+}
+
+/// The folder of --checkpoint, or null; its checkpoints and --resume must go together. `Folder` is a
+/// sct::CheckpointFiles.
+template <class Folder>
+std::unique_ptr<Folder> checkpoint_folder(const po::variables_map& values, const Common& common,
+                                          std::string_view program) {
+  const bool resume = values.count("resume") != 0;
+  if (values.count("checkpoint") == 0) {
+    if (resume) throw UsageError("--resume needs the folder of the checkpoints: give --checkpoint DIR");
+    return nullptr;
+  }
+  auto folder = std::make_unique<Folder>(text_option(values, "checkpoint"));
+  const auto found = folder->checkpoints();
+  if (!found.empty() && !resume)
+    throw UsageError(
+        fmt::format("--checkpoint {}: it holds {} of an earlier run: give --resume to go on with it, or "
+                    "name another folder",
+                    excerpt(folder->path().string(), 1000), found.back().filename().string()));
+  if (found.empty() && resume && !common.quiet)
+    say(program, fmt::format("no checkpoint in {} yet: beginning with step 1", folder->path().string()));
+  return folder;
+}
+
+}  // namespace folk::tools

@@ -1,0 +1,33 @@
+#include <folk/tools/choices/game_option.h>
+
+#include <folk/games/error.h>
+#include <folk/games/stage_games/nfg.h>
+
+namespace folk::tools {
+
+void add_game_options(po::options_description& options) {
+  auto add = options.add_options();
+  add("payoffs", po::value<std::string>(), "a prisoner's dilemma (default T=5,R=3,P=1,S=0)");
+  add("game", po::value<std::string>(), "a symmetric 2x2 game from a .nfg file, its first action taken as C");
+}
+
+ChosenGame chosen_game(const po::variables_map& values) {
+  ChosenGame chosen;
+  chosen.from_file = values.count("game") != 0;
+  const bool by_letters = values.count("payoffs") != 0;
+  if (chosen.from_file && by_letters) throw UsageError("--game and --payoffs contradict: give one of them");
+  if (by_letters) chosen.payoffs = parse_payoffs(text_option(values, "payoffs"));
+  if (chosen.from_file) {
+    const auto game = read_nfg_file(text_option(values, "game"));
+    chosen.payoffs = symmetric_payoffs(game);
+    chosen.title = game.title().empty() ? "without a title" : excerpt(game.title(), 200);
+  }
+  return chosen;
+}
+
+void note_unusual_payoffs(std::string_view program, const ChosenGame& game, const Common& common) {
+  if (common.quiet || game.from_file) return;
+  if (const auto warning = dilemma_warning(game.payoffs)) say(program, "note: " + *warning);
+}
+
+}  // namespace folk::tools

@@ -1,0 +1,29 @@
+#pragma once
+// The options that say which game is played: --payoffs and --game.
+
+#include <folk/tools/program/program.h>
+
+#include <folk/games/payoffs.h>
+
+#include <string>
+
+namespace folk::tools {
+
+/// What is played, and its title as a person reads it.
+struct ChosenGame {
+  Payoffs payoffs;
+  std::string title = "prisoner's dilemma";
+  bool from_file = false;
+};
+
+/// Adds --payoffs and --game.
+void add_game_options(po::options_description& options);
+
+/// What they say; the standard dilemma by default. Throws UsageError when both are given or the game is no symmetric
+/// 2x2 game, InputFileError when the file makes no sense.
+ChosenGame chosen_game(const po::variables_map& values);
+
+/// Says on stderr where a dilemma from --payoffs rewards taking turns to defect.
+void note_unusual_payoffs(std::string_view program, const ChosenGame& game, const Common& common);
+
+}  // namespace folk::tools

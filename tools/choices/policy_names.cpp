@@ -1,0 +1,76 @@
+#include <folk/tools/choices/policy_names.h>
+
+#include <folk/tools/program/data_folder.h>
+
+#include <fmt/format.h>
+#include <folk/games/error.h>
+#include <folk/sct/policy/policy_file.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace folk::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+Strategy policy_strategy(const std::string& name, const fs::path& file, const sct::PlayOptions& options) {
+  return sct::transformer(name, read_mind(file), options);
+}
+
+fs::path shipped_file(const std::string& name) { return data_folder() / "policies" / (name + ".bin"); }
+
+void add_shipped(Registry& registry, const std::string& name, std::string behaviour, const sct::PlayOptions& options) {
+  registry.add({name, {}, std::move(behaviour), "Li, Guevara, Xie & Zhu, arXiv 2310.04579; docs/sct-train.md"},
+               [name, options](const std::string&, std::string_view, const Payoffs&) {
+                 const fs::path file = shipped_file(name);
+                 std::error_code error;
+                 if (!fs::exists(file, error))
+                   throw InputFileError(
+                       fmt::format("{}: there is no {}; install Folk's data, say in FOLK_DATA where it is, or train a "
+                                   "policy with sct-train and name it sct:FILE",
+                                   name, excerpt(file.string(), 1000)));
+                 return policy_strategy(name, file, options);
+               });
+}
+
+std::string unquoted(std::string_view text) {
+  if (text.size() >= 2 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
+  return std::string(text);
+}
+
+}  // namespace
+
+std::shared_ptr<const sct::Mind> read_mind(const fs::path& file) {
+  auto policy = sct::read_policy(file);
+  try {
+    return std::make_shared<const sct::Mind>(std::move(policy));
+  } catch (const UsageError& error) {  // a sound file of a network for something else
+    throw InputFileError(fmt::format("{}: {}", excerpt(file.string(), 1000), error.what()));
+  }
+}
+
+std::optional<fs::path> policy_file(std::string_view name) {
+  constexpr std::string_view prefix = "sct:";
+  if (name.starts_with(prefix)) return unquoted(name.substr(prefix.size()));
+  for (const std::string shipped : {"sct", "sct-bayes"})
+    if (same_name(name, shipped)) return shipped_file(shipped);
+  return std::nullopt;
+}
+
+void add_policies(Registry& registry, const sct::PlayOptions& options) {
+  add_shipped(registry, "sct",
+              "self-confirming transformer, trained on the round robin of sct2025: believes, then acts", options);
+  add_shipped(registry, "sct-bayes", "the same network, trained on Bayes-optimal play against sct2025", options);
+  registry.add_prefix({"sct:FILE", {}, "a policy that sct-train wrote", "docs/sct-train.md"},
+                      "sct:", [options](std::string_view item, const Payoffs&) {
+                        const std::string file = unquoted(item);
+                        if (file.empty()) throw UsageError("'sct:' needs the name of a file, as in sct:policy.bin");
+                        return std::vector<Strategy>{policy_strategy("sct:" + file, file, options)};
+                      });
+}
+
+}  // namespace folk::tools

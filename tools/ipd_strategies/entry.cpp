@@ -1,0 +1,74 @@
+#include <folk/tools/ipd_strategies/entry.h>
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include <folk/tools/program/csv.h>
+
+namespace folk::tools {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json states_json(const Facts& facts, const std::optional<std::size_t>& states) {
+  if (!facts.finite) return "infinite";
+  return states ? Json(*states) : Json(nullptr);
+}
+
+Json memory_json(const Memory& memory) {
+  switch (memory.kind) {
+    case Memory::Kind::rounds: return memory.rounds;
+    case Memory::Kind::unbounded: return "unbounded";
+    case Memory::Kind::unknown: break;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::string yes_no(bool value) { return value ? "yes" : "no"; }
+
+std::string states_text(const Facts& facts, const std::optional<std::size_t>& states) {
+  if (!facts.finite) return "infinite";
+  return states ? std::to_string(*states) : fmt::format("over {}", most_counted_states);
+}
+
+std::string nice_text(const Niceness& niceness) {
+  if (!niceness.rounds_tried) return yes_no(niceness.nice);
+  return fmt::format("yes, to {} rounds", *niceness.rounds_tried);
+}
+
+Json entry_json(const Entry& entry) {
+  Json json;
+  json["name"] = entry.description.name;
+  json["aliases"] = entry.description.aliases;
+  if (const auto& facts = entry.facts) {
+    json["memory"] = memory_json(facts->memory);
+    json["states"] = states_json(*facts, facts->states);
+    json["states_any_own_moves"] = states_json(*facts, facts->states_any_own_moves);
+    json["deterministic"] = facts->deterministic;
+    json["nice"] = facts->niceness.nice;
+    json["nice_rounds_tried"] = facts->niceness.rounds_tried ? Json(*facts->niceness.rounds_tried) : Json(nullptr);
+  } else {
+    for (const char* key : {"memory", "states", "states_any_own_moves", "deterministic", "nice", "nice_rounds_tried"})
+      json[key] = nullptr;
+  }
+  json["behaviour"] = entry.description.behaviour;
+  json["reference"] = entry.description.reference;
+  return json;
+}
+
+std::string entry_csv(const std::string& kind, const Entry& entry) {
+  std::vector<std::string> cells(5);
+  if (const auto& facts = entry.facts)
+    cells = {to_string(facts->memory), states_text(*facts, facts->states),
+             states_text(*facts, facts->states_any_own_moves), yes_no(facts->deterministic),
+             yes_no(facts->niceness.nice)};
+  const auto& [name, aliases, behaviour, reference] = entry.description;
+  return fmt::format("{},{},{},{},{},{}\n", kind, csv_field(name),
+                     csv_field(fmt::format("{}", fmt::join(aliases, ";"))), fmt::join(cells, ","), csv_field(behaviour),
+                     csv_field(reference));
+}
+
+}  // namespace folk::tools

@@ -1,0 +1,290 @@
+// ipd-strategies: what Folk knows of the strategies, and whether two of them are the same.
+
+#include <fmt/format.h>
+#include <folk/games/error.h>
+#include <folk/strategies/automaton.h>
+#include <folk/strategies/equivalence.h>
+#include <folk/strategies/facts.h>
+#include <folk/strategies/machine_text.h>
+#include <folk/strategies/registry.h>
+
+#include <algorithm>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+#include <folk/tools/choices/chosen_machine.h>
+#include <folk/tools/choices/standard_names.h>
+#include <folk/tools/ipd_strategies/difference.h>
+#include <folk/tools/ipd_strategies/entry.h>
+#include <folk/tools/ipd_strategies/reply.h>
+#include <folk/tools/program/program.h>
+#include <folk/tools/program/table.h>
+
+namespace folk::tools {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Larger machines are not written out.
+constexpr std::size_t most_shown = 1000;
+
+// ---- list --------------------------------------------------------------------------------------------------------
+
+/// True for a name that stands for one strategy, as it is.
+bool is_plain(const std::string& name) {
+  return name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_-") == std::string::npos;
+}
+
+/// Facts of a name that stands for one machine; families, files and commands have none before they are filled in.
+std::optional<Facts> facts_of_name(const Registry& registry, const std::string& name) {
+  if (!is_plain(name)) return std::nullopt;
+  try {
+    const Strategy strategy = registry.make(name);
+    if (!strategy.machine) return std::nullopt;
+    return facts_of(*strategy.machine);
+  } catch (const InputFileError&) {  // a policy that is not installed: it is listed all the same
+    return std::nullopt;
+  }
+}
+
+/// Words on lines of at most `width` characters.
+std::vector<std::string> wrapped(const std::string& text, std::size_t width) {
+  std::vector<std::string> lines(1);
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    if (!lines.back().empty() && lines.back().size() + 1 + word.size() > width) lines.emplace_back();
+    lines.back() += (lines.back().empty() ? "" : " ") + word;
+    begin = end + 1;
+  }
+  return lines;
+}
+
+/// Adds a row whose last cell takes as many lines as it needs.
+void add_wrapped(Table& table, std::vector<std::string> row, std::size_t width) {
+  const auto lines = wrapped(row.back(), width);
+  for (const auto& line : lines) {
+    row.back() = line;
+    table.add(row);
+    std::fill(row.begin(), row.end(), "");
+  }
+}
+
+std::string with_aliases(const Description& description) {
+  if (description.aliases.empty()) return description.behaviour;
+  return fmt::format("{} (also {})", description.behaviour, fmt::join(description.aliases, ", "));
+}
+
+std::size_t widest_name(const std::vector<Description>& descriptions) {
+  std::size_t width = 0;
+  for (const auto& description : descriptions) width = std::max(width, description.name.size());
+  return width;
+}
+
+void print_list(const std::vector<Entry>& entries, const std::vector<Description>& groups) {
+  constexpr std::size_t page = 120;
+  std::vector<Description> families;
+  std::vector<Description> players;
+  Table strategies({"name", "memory", "states", "deterministic", "nice", "behaviour"});
+  for (const auto& entry : entries) {
+    if (!entry.facts) {
+      (is_plain(entry.description.name) ? players : families).push_back(entry.description);
+      continue;
+    }
+    const Facts& facts = *entry.facts;
+    add_wrapped(strategies,
+                {entry.description.name, to_string(facts.memory), states_text(facts, facts.states),
+                 yes_no(facts.deterministic), yes_no(facts.niceness.nice), with_aliases(entry.description)},
+                page - 62);
+  }
+  std::cout << strategies.text();
+  const auto print = [](const std::string& title, const std::vector<Description>& descriptions) {
+    Table table({title, ""});
+    for (const auto& description : descriptions)
+      add_wrapped(table, {description.name, with_aliases(description)}, page - 2 - widest_name(descriptions));
+    std::cout << "\n" << table.text();
+  };
+  print("with parameters", families);
+  print("without a machine", players);
+  print("rosters and families", groups);
+}
+
+int list(const Common& common) {
+  const Registry registry = standard_names();
+  std::vector<Entry> entries;
+  for (const auto& description : registry.strategies())
+    entries.push_back({description, facts_of_name(registry, description.name)});
+  if (common.format == Format::text) {
+    print_list(entries, registry.groups());
+  } else if (common.format == Format::csv) {
+    std::cout << entry_csv_header;
+    for (const auto& entry : entries) std::cout << entry_csv("strategy", entry);
+    for (const auto& group : registry.groups()) std::cout << entry_csv("group", {group, std::nullopt});
+  } else {
+    Json json;
+    json["strategies"] = Json::array();
+    for (const auto& entry : entries) json["strategies"].push_back(entry_json(entry));
+    json["groups"] = Json::array();
+    for (const auto& [name, aliases, behaviour, reference] : registry.groups())
+      json["groups"].push_back(
+          {{"name", name}, {"aliases", aliases}, {"behaviour", behaviour}, {"reference", reference}});
+    std::cout << json.dump(2) << "\n";
+  }
+  return done;
+}
+
+// ---- show --------------------------------------------------------------------------------------------------------
+
+/// The text form of the smallest machine that also answers alike when own moves slip, or why there is none.
+struct Shown {
+  std::string text;
+  bool whole = false;
+};
+
+Shown machine_text(const Strategy& strategy, const std::optional<Facts>& facts) {
+  if (!strategy.machine) return {"none: an opaque player", false};
+  if (!facts->finite)
+    return {fmt::format("infinitely many states; strategy-graph {} --horizon 6 draws the first rounds", strategy.name),
+            false};
+  if (!facts->states_any_own_moves || *facts->states_any_own_moves > most_shown)
+    return {fmt::format("not written out, it has {} states; strategy-graph {} --horizon 6 draws the first rounds",
+                        states_text(*facts, facts->states_any_own_moves), strategy.name),
+            false};
+  constexpr Sense any = Sense::any_own_moves;
+  return {write_machine(strategy.name, minimise(*tabulate(*strategy.machine, any), any)), true};
+}
+
+/// All that is known of an entry, a fact a line.
+void print_known(const Entry& entry, const std::string& family, const Shown& machine) {
+  const auto line = [](const char* what, const std::string& text) {
+    if (!text.empty()) std::cout << fmt::format("  {:<15}{}\n", what, text);
+  };
+  const Description& description = entry.description;
+  std::cout << description.name << "\n";
+  const bool from_file = family.starts_with('@');
+  if (family != description.name && !from_file) line("described as", family);
+  line("also known as", fmt::format("{}", fmt::join(description.aliases, ", ")));
+  // Of a machine in a file the registry knows only what files are.
+  if (!from_file) {
+    line("behaviour", description.behaviour);
+    line("reference", description.reference);
+  }
+  if (const auto& facts = entry.facts) {
+    line("memory", facts->memory == Memory{Memory::Kind::rounds, 0}   ? "none"
+                   : facts->memory == Memory{Memory::Kind::rounds, 1} ? "last round"
+                   : facts->memory.kind == Memory::Kind::rounds ? fmt::format("last {} rounds", facts->memory.rounds)
+                                                                : to_string(facts->memory));
+    line("states", facts->finite
+                       ? fmt::format("{} (own moves its own), {} (any own moves)", states_text(*facts, facts->states),
+                                     states_text(*facts, facts->states_any_own_moves))
+                       : "infinite");
+    line("deterministic", yes_no(facts->deterministic));
+    line("nice", nice_text(facts->niceness));
+  }
+  if (machine.whole)
+    std::cout << "\n# the smallest machine for any own moves, as an @file holds it\n" << machine.text;
+  else
+    line("machine", machine.text);
+}
+
+int show(const std::string& name, const Payoffs& payoffs, const Common& common) {
+  const Registry registry = standard_names();
+  const Strategy strategy = registry.make(name, payoffs);
+  Entry entry{registry.describe(name), std::nullopt};
+  const std::string family = std::exchange(entry.description.name, strategy.name);
+  if (strategy.machine) entry.facts = facts_of(*strategy.machine);
+  if (common.format == Format::csv) {
+    std::cout << entry_csv_header << entry_csv("strategy", entry);
+    return done;
+  }
+  const Shown machine = machine_text(strategy, entry.facts);
+  if (common.format == Format::text) {
+    print_known(entry, family, machine);
+    return done;
+  }
+  Json json = entry_json(entry);
+  json["described_as"] = family;
+  json["machine"] = machine.whole ? Json(machine.text) : Json(nullptr);
+  std::cout << json.dump(2) << "\n";
+  return done;
+}
+
+// ---- diff --------------------------------------------------------------------------------------------------------
+
+int diff(const std::string& a, const std::string& b, Sense sense, std::size_t most_pairs, const Payoffs& payoffs,
+         const Common& common) {
+  const Registry registry = standard_names();
+  const Strategy first = chosen_machine(registry, a, payoffs, "compared");
+  const Strategy second = chosen_machine(registry, b, payoffs, "compared");
+  const Machine& one = *first.machine;
+  const Machine& two = *second.machine;
+  Difference result{first.name, second.name, sense, {}};
+  // Two names of one infinite machine: walking would never end, and there is nothing to prove.
+  if (!one.finite() && !two.finite() && first.name == second.name)
+    result.found.verdict = Verdict::equivalent;
+  else
+    result.found = compare(one, two, sense, most_pairs);
+  switch (common.format) {
+    case Format::text: std::cout << difference_text(result) << "\n"; break;
+    case Format::csv: std::cout << difference_csv(result); break;
+    case Format::json: std::cout << difference_json(result).dump(2) << "\n"; break;
+  }
+  return done;
+}
+
+// ---- the program -------------------------------------------------------------------------------------------------
+
+Program ipd_strategies() {
+  Program program;
+  program.name = "ipd-strategies";
+  program.usage = "list | show NAME | diff A B | reply OPPONENTS [options]";
+  program.summary =
+      "list: every strategy, roster and family, with what can be computed of it. show: all that is known of one,\n"
+      "with its machine. diff: proves that two strategies answer alike, or prints the shortest play of the opponent\n"
+      "that separates them. reply: the best reply to a machine, or with --memory-one the best memory-one reply that "
+      "is\n"
+      "found to several. NAME is a strategy, @FILE or @FILE#MACHINE.";
+  program.examples = {"ipd-strategies list",
+                      "ipd-strategies show pavlov",
+                      "ipd-strategies diff spiteful mem11_cCDDD",
+                      "ipd-strategies diff spiteful mem11_cCDDD --any-own-moves",
+                      "ipd-strategies reply pavlov --criterion discounted:0.9",
+                      "ipd-strategies reply 'tit_for_tat,pavlov,all_d' --memory-one --criterion mean"};
+  auto add = program.options.add_options();
+  add("any-own-moves", "diff: own moves may differ from the machine's own, as noise and deviations make them");
+  add("most-pairs", po::value<std::string>(), "diff: joint states after which to stop (default 1000000)");
+  add("payoffs", po::value<std::string>(), "T=5,R=3,P=1,S=0 (default): some strategies depend on them");
+  add_reply_options(program.options);
+  program.arguments.add_options()("command", po::value<std::vector<std::string>>());
+  program.positional.add("command", -1);
+  return program;
+}
+
+int answer(const po::variables_map& values, const Common& common) {
+  std::vector<std::string> words;
+  if (values.count("command") != 0) words = values["command"].as<std::vector<std::string>>();
+  if (words.empty()) throw UsageError("nothing asked: list, show NAME, diff A B or reply OPPONENTS");
+  const std::string payoffs_text = text_option(values, "payoffs");
+  const Payoffs payoffs = payoffs_text.empty() ? Payoffs{} : parse_payoffs(payoffs_text);
+  const Sense sense = values.count("any-own-moves") != 0 ? Sense::any_own_moves : Sense::own_moves_its_own;
+  const std::size_t most_pairs = whole_option(values, "most-pairs", 1'000'000, 1, 10'000'000);
+  const std::string& command = words.front();
+  if (command == "list" && words.size() == 1) return list(common);
+  if (command == "show" && words.size() == 2) return show(words[1], payoffs, common);
+  if (command == "diff" && words.size() == 3) return diff(words[1], words[2], sense, most_pairs, payoffs, common);
+  if (command == "reply" && words.size() == 2) return reply(words[1], payoffs, values, common);
+  if (command == "list") throw UsageError("list takes no names: ipd-strategies list, or ipd-strategies show NAME");
+  if (command == "show") throw UsageError("show takes one name: ipd-strategies show pavlov");
+  if (command == "diff") throw UsageError("diff takes two names: ipd-strategies diff spiteful mem11_cCDDD");
+  if (command == "reply") throw UsageError("reply takes one SPEC of opponents: ipd-strategies reply pavlov");
+  throw UsageError(fmt::format("'{}': expected list, show NAME, diff A B or reply OPPONENTS", command));
+}
+
+}  // namespace
+}  // namespace folk::tools
+
+int main(int argc, char** argv) {
+  return folk::tools::run(argc, argv, folk::tools::ipd_strategies(), {"text", "csv", "json"}, folk::tools::answer);
+}

@@ -1,0 +1,142 @@
+// ipd-tournament: the round robin of a roster.
+
+#include <folk/tools/choices/criterion_option.h>
+#include <folk/tools/choices/game_option.h>
+#include <folk/tools/choices/play_options.h>
+#include <folk/tools/choices/standard_names.h>
+#include <folk/tools/ipd_tournament/invasion_output.h>
+#include <folk/tools/ipd_tournament/output.h>
+#include <folk/tools/program/output_folder.h>
+#include <folk/tools/program/program.h>
+#include <folk/tools/program/progress.h>
+
+#include <fmt/format.h>
+#include <folk/analysis/pictures/plots.h>
+#include <folk/games/error.h>
+#include <folk/strategies/registry.h>
+
+#include <algorithm>
+#include <iostream>
+#include <optional>
+#include <thread>
+
+namespace folk::tools {
+namespace {
+
+Program program() {
+  Program program;
+  program.name = "ipd-tournament";
+  program.usage = "[options]";
+  program.summary =
+      "Plays every strategy of a roster against every other and itself, exactly wherever that can be done,\n"
+      "and prints the ranking. SPEC is a comma list of names, rosters (classics, sct2025, all), families\n"
+      "(memory(1,2)), genotypes (mem12_ccCDCDDCDD), @FILE and exec:\"CMD\"; 'ipd-strategies list' shows all.";
+  program.examples = {"ipd-tournament", "ipd-tournament --strategies pavlov,tit_for_tat,all_d --rounds 1000",
+                      "ipd-tournament --include @examples/my_strategies.machines --noise 0.01 --output results --plot",
+                      "ipd-tournament --strategies 'memory(1,2)' --rounds 1000 --format csv",
+                      "ipd-tournament --criterion discounted:0.9 --payoffs T=4,R=3,P=1,S=0 --format json"};
+  auto add = program.options.add_options();
+  const auto text = [] { return po::value<std::string>(); };
+  add("strategies", text()->default_value("classics"), "the roster: SPEC");
+  add("include", text(), "SPEC of entrants beside the roster; payoffs are normalised by the roster alone");
+  add("exclude", text(), "SPEC of strategies to leave out");
+  add_criterion_options(program.options);
+  add("noise", text()->default_value("0"), "each move flips with this probability, from 0 to 1");
+  add_game_options(program.options);
+  add_play_options(program.options);
+  add("no-self-play", "nobody meets its own copy");
+  add("invasion", "also tell who can invade whom, and who is evolutionarily stable");
+  add("repetitions", text(), "matches of a pair that can only be sampled (default 100)");
+  add("seed", text(), "of all random numbers (default 1)");
+  add("threads", text(), "threads (default: one a processor); the results do not depend on it");
+  add("output", text(), "folder for ranking.csv, scores.csv, cooperation.csv, beliefs.csv, summary.json");
+  add("plot", text()->implicit_value("svg"), "svg or png: also draw payoffs, cooperation and scores into --output");
+  return program;
+}
+
+/// The roster less what is excluded; the included entrants follow it.
+struct Field {
+  std::vector<Strategy> entrants;
+  std::size_t core = 0;
+};
+
+Field field_of(const po::variables_map& values, const Payoffs& payoffs) {
+  const Registry registry = standard_names(chosen_play_options(values));
+  Field field{registry.roster(text_option(values, "strategies"), payoffs), 0};
+  if (values.count("exclude") != 0)
+    for (const auto& left_out : registry.roster(text_option(values, "exclude"), payoffs)) {
+      const auto same = [&](const Strategy& strategy) { return same_name(strategy.name, left_out.name); };
+      if (std::erase_if(field.entrants, same) == 0)
+        throw UsageError(fmt::format("--exclude {}: it is not in the roster", left_out.name));
+    }
+  if (field.entrants.empty()) throw UsageError("the roster is empty: --exclude leaves nobody");
+  field.core = field.entrants.size();
+  if (values.count("include") != 0)
+    for (auto& guest : registry.roster(text_option(values, "include"), payoffs))
+      field.entrants.push_back(std::move(guest));
+  refuse_duplicates(field.entrants);
+  return field;
+}
+
+/// svg, png or nothing, once it is clear that so many strategies can be drawn here.
+std::optional<std::string> picture_extension(const po::variables_map& values, std::size_t strategies) {
+  if (values.count("plot") == 0) return std::nullopt;
+  const auto extension = text_option(values, "plot");
+  if (extension != "svg" && extension != "png")
+    throw UsageError(fmt::format("--plot '{}': expected svg or png", extension));
+  if (values.count("output") == 0) throw UsageError("--plot needs a folder for its pictures: give --output DIR");
+  require_plotter(strategies);
+  if (values.count("invasion") != 0) require_invasion_drawing(strategies);
+  return extension;
+}
+
+int tournament(const po::variables_map& values, const Common& common) {
+  const ChosenGame game = chosen_game(values);
+  TournamentSettings settings;
+  settings.payoffs = game.payoffs;
+  settings.criterion = chosen_criterion(values);
+  settings.noise = parse_number(text_option(values, "noise"), "--noise", 0, 1);
+  settings.self_play = values.count("no-self-play") == 0;
+  settings.repetitions = whole_option(values, "repetitions", 100, 1, 10'000'000);
+  settings.seed = whole_option(values, "seed", 1, 0, ~std::uint64_t{0});
+  settings.threads =
+      static_cast<unsigned>(whole_option(values, "threads", std::max(1U, std::thread::hardware_concurrency()), 1, 256));
+  if (values.count("invasion") != 0 && !settings.self_play)
+    throw UsageError("--invasion needs what each earns against its own copy: leave out --no-self-play");
+  auto [entrants, core] = field_of(values, game.payoffs);
+  const auto extension = picture_extension(values, entrants.size());
+  const auto folder = output_folder(values);
+  note_unusual_payoffs("ipd-tournament", game, common);
+
+  std::optional<Progress> progress(std::in_place, fmt::format("playing {} strategies", entrants.size()), !common.quiet);
+  settings.progress = [&](double fraction) { (*progress)(fraction); };
+  const Tournament result(std::move(entrants), core, settings);
+  progress.reset();
+
+  const TournamentLabels labels{text_option(values, "strategies"), text_option(values, "include"), game.title};
+  const auto found = values.count("invasion") != 0 ? std::optional<Invasions>(result) : std::nullopt;
+  const Invasions* invasions = found ? &*found : nullptr;
+  if (folder) {
+    write_files(*folder, result, labels, invasions);
+    if (extension) draw_pictures(*folder, result, *extension);
+    if (extension && invasions != nullptr)
+      draw_invasion(*folder / ("invasion." + *extension), result, *invasions,
+                    fmt::format("{}, {}", labels.roster, settings.criterion.to_string()));
+  }
+  switch (common.format) {
+    case Format::text:
+      write_text(std::cout, result, labels);
+      if (invasions != nullptr) write_invasion_text(std::cout, result, *invasions);
+      break;
+    case Format::csv: write_ranking_csv(std::cout, result, invasions); break;
+    case Format::json: write_json(std::cout, result, labels, true, invasions); break;
+  }
+  return done;
+}
+
+}  // namespace
+}  // namespace folk::tools
+
+int main(int argc, char** argv) {
+  return folk::tools::run(argc, argv, folk::tools::program(), {"text", "csv", "json"}, folk::tools::tournament);
+}

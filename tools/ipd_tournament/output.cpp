@@ -1,0 +1,307 @@
+#include <folk/tools/ipd_tournament/output.h>
+
+#include <folk/tools/ipd_tournament/invasion_output.h>
+#include <folk/tools/program/csv.h>
+#include <folk/tools/program/table.h>
+
+#include <fmt/format.h>
+#include <folk/analysis/pictures/plots.h>
+#include <folk/games/error.h>
+#include <folk/games/text_file.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <system_error>
+#include <vector>
+
+namespace folk::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Whole numbers without an exponent, others as the shortest decimal that reads back.
+std::string exact(long double value) {
+  if (value == std::floor(value) && std::abs(value) < 0x1p63L) return fmt::format("{}", static_cast<long long>(value));
+  return fmt::format("{}", static_cast<double>(value));
+}
+
+std::string json_string(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+bool sampled(const Tournament& tournament) {
+  return std::any_of(tournament.ranking().begin(), tournament.ranking().end(),
+                     [](const auto& entry) { return entry.method == Method::sampled; });
+}
+
+/// A total for the eye.
+std::string total_text(long double total) {
+  return total == std::floor(total) ? exact(total) : fmt::format("{:.4f}", static_cast<double>(total));
+}
+
+/// A JSON object: how many pairs (self-play among them) were obtained in which way.
+std::string methods_of(const Tournament& tournament) {
+  constexpr std::array methods{Method::cycle, Method::played, Method::markov, Method::bounded, Method::sampled};
+  std::array<std::size_t, methods.size()> pairs{};
+  for (std::size_t i = 0; i < tournament.size(); ++i)
+    for (std::size_t j = 0; j <= i; ++j)
+      if (tournament.played(i, j)) ++pairs[static_cast<std::size_t>(tournament.method(i, j))];
+  std::vector<std::string> items;
+  for (const Method method : methods)
+    if (const std::size_t count = pairs[static_cast<std::size_t>(method)]; count > 0)
+      items.push_back(fmt::format("\"{}\": {}", to_string(method), count));
+  return fmt::format("{{{}}}", fmt::join(items, ", "));
+}
+
+std::string payoffs_of(const Payoffs& payoffs) {
+  const auto number = [](const Rational& payoff) { return fmt::format("{}", to_double(payoff)); };
+  return fmt::format("{{\"T\": {}, \"R\": {}, \"P\": {}, \"S\": {}}}", number(payoffs.temptation),
+                     number(payoffs.reward), number(payoffs.punishment), number(payoffs.sucker));
+}
+
+/// Half the width of the 95 % interval (Student's t) of a total that was sampled; one repetition tells nothing of it.
+std::optional<double> confidence(const Tournament& tournament, const RankingEntry& entry) {
+  const std::uint64_t repetitions = tournament.settings().repetitions;
+  if (entry.method != Method::sampled || repetitions < 2) return std::nullopt;
+  const boost::math::students_t distribution(static_cast<double>(repetitions - 1));
+  return boost::math::quantile(distribution, 0.975) * entry.error;
+}
+
+std::string settings_line(const Tournament& tournament, const TournamentLabels& labels) {
+  const auto& settings = tournament.settings();
+  std::string text = fmt::format("game {} ({}), {}, noise {}, self-play {}, seed {}", labels.game,
+                                 to_text(settings.payoffs), settings.criterion.to_string(), settings.noise,
+                                 settings.self_play ? "included" : "left out", settings.seed);
+  if (sampled(tournament)) text += fmt::format(", repetitions {}", settings.repetitions);
+  return text;
+}
+
+/// Rows of a matrix, streamed as JSON arrays.
+template <class Cell>
+void write_json_matrix(std::ostream& out, const Tournament& tournament, const char* name, Cell cell) {
+  out << fmt::format(",\n  \"{}\": [", name);
+  fmt::memory_buffer row;
+  for (std::size_t i = 0; i < tournament.size(); ++i) {
+    row.clear();
+    fmt::format_to(std::back_inserter(row), "{}\n    [", i == 0 ? "" : ",");
+    for (std::size_t j = 0; j < tournament.size(); ++j) {
+      if (j > 0) row.push_back(',');
+      const auto text = tournament.played(i, j) ? cell(i, j) : std::string("null");
+      row.append(text.data(), text.data() + text.size());
+    }
+    row.push_back(']');
+    out.write(row.data(), static_cast<std::streamsize>(row.size()));
+  }
+  out << "\n  ]";
+}
+
+std::string json_number(const std::optional<double>& value) { return value ? fmt::format("{}", *value) : "null"; }
+
+std::string csv_number(const std::optional<double>& value) { return value ? fmt::format("{}", *value) : ""; }
+
+void write_json_ranking(std::ostream& out, const Tournament& tournament) {
+  out << "  \"ranking\": [";
+  const char* separator = "\n";
+  for (const auto& entry : tournament.ranking()) {
+    out << fmt::format(
+        "{}    {{\"rank\": {}, \"name\": {}, \"total\": {}, \"mean\": {}, \"median\": {}, \"wins\": {}, "
+        "\"cooperation_rate\": {}, \"normalised\": {}, \"method\": \"{}\", \"confidence_95\": {}, "
+        "\"belief_accuracy\": {}, \"total_against_roster\": {}}}",
+        separator, entry.rank, json_string(tournament.name(entry.entrant)), exact(entry.total), entry.mean,
+        entry.median, entry.wins, entry.cooperation_rate, json_number(entry.normalised), to_string(entry.method),
+        json_number(confidence(tournament, entry)), json_number(entry.belief_accuracy),
+        exact(entry.total_against_roster));
+    separator = ",\n";
+  }
+  out << "\n  ]";
+}
+
+/// How each figure was obtained, a string a row and a letter a cell: c(ycle), p(layed), m(arkov), b(ounded), s(ampled),
+/// - not played.
+void write_json_methods(std::ostream& out, const Tournament& tournament) {
+  out << ",\n  \"method_rows\": [";
+  for (std::size_t i = 0; i < tournament.size(); ++i) {
+    std::string row;
+    for (std::size_t j = 0; j < tournament.size(); ++j)
+      row += tournament.played(i, j) ? to_string(tournament.method(i, j)).front() : '-';
+    out << (i == 0 ? "\n    \"" : ",\n    \"") << row << '"';
+  }
+  out << "\n  ]";
+}
+
+template <class Cell>
+void write_csv_matrix(std::ostream& out, const Tournament& tournament, Cell cell) {
+  out << "row\\col";
+  for (std::size_t j = 0; j < tournament.size(); ++j) out << ',' << csv_field(tournament.name(j));
+  out << ",total\n";
+  for (std::size_t i = 0; i < tournament.size(); ++i) {
+    out << csv_field(tournament.name(i));
+    long double total = 0;
+    for (std::size_t j = 0; j < tournament.size(); ++j) {
+      out << ',';
+      if (!tournament.played(i, j)) continue;
+      const double value = cell(i, j);
+      total += static_cast<long double>(value);
+      out << exact(static_cast<long double>(value));
+    }
+    out << ',' << exact(total) << '\n';
+  }
+}
+
+/// Whose guesses of whose moves were right, entrants with beliefs alone as rows; the last column is of all guesses.
+void write_beliefs_csv(std::ostream& out, const Tournament& tournament) {
+  out << "row\\col";
+  for (std::size_t j = 0; j < tournament.size(); ++j) out << ',' << csv_field(tournament.name(j));
+  out << ",all\n";
+  std::vector<std::optional<double>> all(tournament.size());
+  for (const auto& entry : tournament.ranking()) all[entry.entrant] = entry.belief_accuracy;
+  for (std::size_t i = 0; i < tournament.size(); ++i) {
+    if (!all[i]) continue;
+    out << csv_field(tournament.name(i));
+    for (std::size_t j = 0; j < tournament.size(); ++j)
+      out << ',' << (tournament.played(i, j) ? csv_number(tournament.belief_accuracy(i, j)) : "");
+    out << ',' << csv_number(all[i]) << '\n';
+  }
+}
+
+}  // namespace
+
+void write_text(std::ostream& out, const Tournament& tournament, const TournamentLabels& labels) {
+  out << fmt::format("Round robin of {} strategies: {}{}\n", tournament.size(), labels.roster,
+                     labels.included.empty() ? "" : ", with " + labels.included);
+  out << settings_line(tournament, labels) << "\n\n";
+  const bool with_error = sampled(tournament);
+  std::vector<std::string> header{"rank", "strategy", "total"};
+  if (with_error) header.emplace_back("95 %");
+  const bool with_guests = tournament.core() < tournament.size();
+  if (with_guests) header.emplace_back("v roster");
+  for (const char* name : {"mean", "median", "wins", "coop %", "normalised"}) header.emplace_back(name);
+  if (tournament.has_beliefs()) header.emplace_back("belief");
+  header.emplace_back("figures");
+  Table table(header);
+  for (const auto& entry : tournament.ranking()) {
+    std::vector<std::string> row{fmt::format("{}", entry.rank), tournament.name(entry.entrant),
+                                 total_text(entry.total)};
+    if (with_error) {
+      const auto half = confidence(tournament, entry);
+      row.push_back(half ? fmt::format("±{:.4g}", *half) : "");
+    }
+    if (with_guests) row.push_back(entry.entrant < tournament.core() ? "" : total_text(entry.total_against_roster));
+    row.push_back(fmt::format("{:.4f}", entry.mean));
+    row.push_back(fmt::format("{:.4f}", entry.median));
+    row.push_back(fmt::format("{}", entry.wins));
+    row.push_back(fmt::format("{:.2f}", 100 * entry.cooperation_rate));
+    row.push_back(entry.normalised ? fmt::format("{:.2f}", *entry.normalised) : "-");
+    if (tournament.has_beliefs())
+      row.push_back(entry.belief_accuracy ? fmt::format("{:.2f} %", 100 * *entry.belief_accuracy) : "");
+    row.emplace_back(to_string(entry.method));
+    table.add(std::move(row));
+  }
+  out << table.text();
+  out << "\nmean and median: payoff a round; normalised: 100 x payoff / the roster's mean against the same opponent\n";
+  if (with_guests)
+    out << fmt::format("v roster: total of an included entrant against the {} of the roster alone\n",
+                       tournament.core());
+  if (tournament.has_beliefs()) out << "belief: how often the move that it held likelier was the other's move\n";
+  for (const auto& caveat : tournament.caveats()) out << "note: " << caveat << '\n';
+  out << fmt::format("signature {:016x}\n", tournament.signature());
+}
+
+void write_ranking_csv(std::ostream& out, const Tournament& tournament, const Invasions* invasions) {
+  out << "rank,strategy,total,mean,median,wins,cooperation_rate,normalised,method,confidence_95,belief_accuracy,"
+         "total_against_roster"
+      << (invasions != nullptr ? fmt::format(",{}", invasion_csv_columns) : "") << '\n';
+  fmt::memory_buffer rows;
+  for (const auto& entry : tournament.ranking())
+    fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{},{},{}{}\n", entry.rank,
+                   csv_field(tournament.name(entry.entrant)), exact(entry.total), entry.mean, entry.median, entry.wins,
+                   entry.cooperation_rate, csv_number(entry.normalised), to_string(entry.method),
+                   csv_number(confidence(tournament, entry)), csv_number(entry.belief_accuracy),
+                   exact(entry.total_against_roster),
+                   invasions != nullptr ? "," + invasion_csv_fields(*invasions, entry.entrant) : "");
+  out.write(rows.data(), static_cast<std::streamsize>(rows.size()));
+}
+
+void write_json(std::ostream& out, const Tournament& tournament, const TournamentLabels& labels, bool with_matrices,
+                const Invasions* invasions) {
+  const auto& settings = tournament.settings();
+  out << fmt::format("{{\n  \"game\": {},\n  \"payoffs\": {},\n  \"criterion\": \"{}\",\n  \"rounds\": {},\n",
+                     json_string(labels.game), payoffs_of(settings.payoffs), settings.criterion.to_string(),
+                     settings.criterion.is_finite() ? fmt::format("{}", settings.criterion.rounds()) : "null");
+  out << fmt::format("  \"noise\": {},\n  \"self_play\": {},\n  \"repetitions\": {},\n  \"seed\": {},\n",
+                     settings.noise, settings.self_play, settings.repetitions, settings.seed);
+  out << fmt::format("  \"roster\": {},\n  \"included\": {},\n  \"behaviours\": {},\n  \"methods\": {},\n",
+                     json_string(labels.roster), json_string(labels.included), tournament.behaviours(),
+                     methods_of(tournament));
+  out << fmt::format("  \"signature\": \"{:016x}\",\n  \"strategies\": [", tournament.signature());
+  for (std::size_t i = 0; i < tournament.size(); ++i) out << (i > 0 ? ", " : "") << json_string(tournament.name(i));
+  out << "],\n  \"notes\": [";
+  const auto caveats = tournament.caveats();
+  for (std::size_t i = 0; i < caveats.size(); ++i) out << (i > 0 ? ", " : "") << json_string(caveats[i]);
+  out << "],\n";
+  write_json_ranking(out, tournament);
+  if (with_matrices) {
+    write_json_methods(out, tournament);
+    write_json_matrix(out, tournament, "scores", [&](std::size_t i, std::size_t j) {
+      return exact(static_cast<long double>(tournament.score(i, j)));
+    });
+    write_json_matrix(out, tournament, "cooperations", [&](std::size_t i, std::size_t j) {
+      return exact(static_cast<long double>(tournament.cooperation(i, j)));
+    });
+    write_json_matrix(out, tournament, "normalised",
+                      [&](std::size_t i, std::size_t j) { return json_number(tournament.normalised(i, j)); });
+    if (tournament.has_beliefs())
+      write_json_matrix(out, tournament, "belief_accuracy",
+                        [&](std::size_t i, std::size_t j) { return json_number(tournament.belief_accuracy(i, j)); });
+    else
+      out << ",\n  \"belief_accuracy\": null";
+  }
+  if (invasions != nullptr) write_invasion_json(out, *invasions);
+  out << "\n}\n";
+}
+
+void write_files(const fs::path& folder, const Tournament& tournament, const TournamentLabels& labels,
+                 const Invasions* invasions) {
+  write_file(folder / "ranking.csv", [&](std::ostream& out) { write_ranking_csv(out, tournament, invasions); });
+  write_file(folder / "scores.csv", [&](std::ostream& out) {
+    write_csv_matrix(out, tournament, [&](std::size_t i, std::size_t j) { return tournament.score(i, j); });
+  });
+  write_file(folder / "cooperation.csv", [&](std::ostream& out) {
+    write_csv_matrix(out, tournament, [&](std::size_t i, std::size_t j) { return tournament.cooperation(i, j); });
+  });
+  if (tournament.has_beliefs())
+    write_file(folder / "beliefs.csv", [&](std::ostream& out) { write_beliefs_csv(out, tournament); });
+  if (invasions != nullptr)
+    write_file(folder / "invasion.csv", [&](std::ostream& out) { write_invasion_csv(out, tournament, *invasions); });
+  write_file(folder / "summary.json",
+             [&](std::ostream& out) { write_json(out, tournament, labels, false, invasions); });
+}
+
+void draw_pictures(const fs::path& folder, const Tournament& tournament, const std::string& extension) {
+  const double weight = tournament.settings().criterion.total_weight();
+  std::vector<std::string> names;
+  for (const auto& entry : tournament.ranking()) names.push_back(tournament.name(entry.entrant));
+  const auto entrant = [&](std::size_t place) { return tournament.ranking()[place].entrant; };
+  const auto a_round = [&](auto figure) {
+    return [&tournament, entrant, figure, weight](std::size_t row, std::size_t column) {
+      const std::size_t i = entrant(row);
+      const std::size_t j = entrant(column);
+      return tournament.played(i, j) ? figure(i, j) / weight : std::numeric_limits<double>::quiet_NaN();
+    };
+  };
+  const auto score = a_round([&](std::size_t i, std::size_t j) { return tournament.score(i, j); });
+  const auto cooperation = a_round([&](std::size_t i, std::size_t j) { return tournament.cooperation(i, j); });
+  draw(HeatMap{names, score, "Payoff a round, row against column", "payoff a round", std::nullopt},
+       folder / ("payoffs." + extension));
+  draw(HeatMap{names, cooperation, "Cooperation rate, row against column", "share of C",
+               std::array<double, 2>{0.0, 1.0}},
+       folder / ("cooperation." + extension));
+  draw(BoxPlot{names, score, "Payoff a round over all opponents", "payoff a round"}, folder / ("scores." + extension));
+}
+
+}  // namespace folk::tools

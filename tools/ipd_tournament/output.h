@@ -1,0 +1,42 @@
+#pragma once
+// A finished tournament as text, CSV, JSON, files and pictures.
+
+#include <folk/analysis/evolution/invasion.h>
+#include <folk/analysis/tournament/tournament.h>
+
+#include <filesystem>
+#include <ostream>
+#include <string>
+
+namespace folk::tools {
+
+/// What the output says beside the results.
+struct TournamentLabels {
+  std::string roster;    ///< the SPEC as the user wrote it
+  std::string included;  ///< the --include SPEC, or nothing
+  std::string game;      ///< its title
+};
+
+/// The ranking as aligned columns under a header that states every setting.
+void write_text(std::ostream& out, const Tournament& tournament, const TournamentLabels& labels);
+
+// Null invasions: nobody asked who can invade whom.
+
+/// The ranking alone.
+void write_ranking_csv(std::ostream& out, const Tournament& tournament, const Invasions* invasions);
+
+/// One object: settings, ranking and (with_matrices) scores, cooperations, normalised, belief_accuracy; matrices are
+/// written cell by cell.
+void write_json(std::ostream& out, const Tournament& tournament, const TournamentLabels& labels, bool with_matrices,
+                const Invasions* invasions);
+
+/// ranking.csv, scores.csv, cooperation.csv, summary.json and, where somebody holds beliefs, beliefs.csv and, where it
+/// was asked for, invasion.csv in `folder`, each written whole or not at all. Throws EnvironmentError when the folder
+/// cannot be made or written.
+void write_files(const std::filesystem::path& folder, const Tournament& tournament, const TournamentLabels& labels,
+                 const Invasions* invasions);
+
+/// payoffs, cooperation and scores pictures in `folder`; `extension` is svg or png.
+void draw_pictures(const std::filesystem::path& folder, const Tournament& tournament, const std::string& extension);
+
+}  // namespace folk::tools

@@ -1,0 +1,17 @@
+#include <folk/tools/program/data_folder.h>
+
+#include <cstdlib>
+#include <system_error>
+
+namespace folk::tools {
+
+namespace fs = std::filesystem;
+
+fs::path data_folder() {
+  if (const char* folder = std::getenv("FOLK_DATA"); folder != nullptr && *folder != '\0') return folder;
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  return (program.parent_path() / FOLK_DATA_FROM_PROGRAM).lexically_normal();
+}
+
+}  // namespace folk::tools

@@ -1,0 +1,15 @@
+#pragma once
+// The option that names a folder for a program's files: --output.
+
+#include <folk/tools/program/program.h>
+
+#include <filesystem>
+#include <optional>
+
+namespace folk::tools {
+
+/// The folder of --output, made where it is missing before anything is computed: what cannot be written should not be
+/// waited for. Throws EnvironmentError when it cannot be made or written.
+std::optional<std::filesystem::path> output_folder(const po::variables_map& values);
+
+}  // namespace folk::tools

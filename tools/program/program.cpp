@@ -1,0 +1,166 @@
+#include <folk/tools/program/program.h>
+
+#include <fmt/format.h>
+#include <folk/games/error.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <iostream>
+#include <limits>
+#include <new>
+#include <sstream>
+
+namespace folk::tools {
+namespace {
+
+std::string help_text(const Program& program) {
+  std::ostringstream text;
+  text << "Usage: " << program.name << " " << program.usage << "\n\n" << program.summary << "\n\n" << program.options;
+  text << "\nExamples:\n";
+  for (const auto& example : program.examples) text << "  " << example << "\n";
+  text << "\nExit codes: 0 done, " << (program.claim.empty() ? "" : "1 " + program.claim + ", ")
+       << "2 wrong usage, 3 bad input file, 4 anything else.\n";
+  return text.str();
+}
+
+int complain(const Program& program, std::string_view message, ExitCode code) {
+  std::cout.flush();
+  say(program.name, message);
+  return code;
+}
+
+/// Takes the arguments that no positional option wants, so that a message can name them. Nobody types this name.
+constexpr const char* unexpected = "unexpected argument";
+
+/// "--output --plot": the parser takes the second for the value of the first, its user forgot the value.
+void refuse_options_as_values(const po::parsed_options& parsed, const po::options_description& options) {
+  for (const auto& option : parsed.options) {
+    const auto& tokens = option.original_tokens;
+    if (option.position_key >= 0 || tokens.size() < 2 || tokens[1].substr(0, 2) != "--") continue;
+    const std::string name = tokens[1].substr(2, tokens[1].find('=') - 2);
+    if (options.find_nothrow(name, false) != nullptr)
+      throw UsageError(
+          fmt::format("{} has no value: '{}' follows; write '{} VALUE'", tokens[0], excerpt(tokens[1]), tokens[0]));
+  }
+}
+
+po::variables_map parse(int argc, char** argv, const Program& program) {
+  po::options_description options = program.options;
+  options.add(program.arguments).add_options()(unexpected, po::value<std::vector<std::string>>(), "");
+  po::positional_options_description positional = program.positional;
+  if (positional.max_total_count() != std::numeric_limits<unsigned>::max()) positional.add(unexpected, -1);
+  const auto parsed = po::command_line_parser(argc, argv)
+                          .options(options)
+                          .positional(positional)
+                          .style(po::command_line_style::default_style & ~po::command_line_style::allow_guessing)
+                          .run();
+  refuse_options_as_values(parsed, options);
+  po::variables_map values;
+  po::store(parsed, values);
+  po::notify(values);
+  if (values.count(unexpected) != 0)
+    throw UsageError(fmt::format("unexpected argument '{}': usage: {} {}",
+                                 excerpt(values[unexpected].as<std::vector<std::string>>().front()), program.name,
+                                 program.usage));
+  return values;
+}
+
+Format format_named(const std::string& name) {
+  if (name == "csv") return Format::csv;
+  if (name == "json") return Format::json;
+  return Format::text;
+}
+
+int run_parsed(const Program& program, const po::variables_map& values, const std::vector<std::string>& formats,
+               const std::function<int(const po::variables_map&, const Common&)>& body) {
+  if (values.count("help") != 0) {
+    std::cout << help_text(program);
+    return done;
+  }
+  if (values.count("version") != 0) {
+    std::cout << version_text(program.name);
+    return done;
+  }
+  Common common;
+  common.quiet = values.count("quiet") != 0;
+  if (!formats.empty()) {
+    const auto name = values["format"].as<std::string>();
+    if (std::find(formats.begin(), formats.end(), name) == formats.end())
+      throw UsageError(fmt::format("--format '{}': expected {}", name, fmt::join(formats, ", ")));
+    common.format = format_named(name);
+  }
+  return body(values, common);
+}
+
+}  // namespace
+
+int run(int argc, char** argv, Program program, const std::vector<std::string>& formats,
+        const std::function<int(const po::variables_map&, const Common&)>& body) {
+  // A reader that goes away (| head) or a dead player shows as a failed write, not as a signal.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::ios::sync_with_stdio(false);
+  try {
+    auto add = program.options.add_options();
+    if (!formats.empty()) {
+      const std::string text = fmt::format("how the result is printed: {}", fmt::join(formats, ", "));
+      add("format", po::value<std::string>()->default_value(formats.front()), text.c_str());
+    }
+    add("quiet", "no banner, no progress, no warnings on stderr");
+    add("help", "this text");
+    add("version", "version and build");
+    const int code = run_parsed(program, parse(argc, argv, program), formats, body);
+    std::cout.flush();
+    if (const int reason = errno; !std::cout && reason != EPIPE)
+      return complain(program, fmt::format("standard output cannot be written: {}", std::strerror(reason)), failed);
+    return code;
+  } catch (const po::error& error) {
+    return complain(program, fmt::format("{}; see {} --help", error.what(), program.name), wrong_usage);
+  } catch (const UsageError& error) {
+    return complain(program, error.what(), wrong_usage);
+  } catch (const InputFileError& error) {
+    return complain(program, error.what(), bad_input_file);
+  } catch (const std::bad_alloc&) {
+    return complain(program, "not enough memory for this", failed);
+  } catch (const std::exception& error) {
+    return complain(program, error.what(), failed);
+  }
+}
+
+void say(std::string_view program, std::string_view message) {
+  std::string line = fmt::format("{}: {}", program, message);
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  line += '\n';
+  std::fwrite(line.data(), 1, line.size(), stderr);  // a stderr that is closed or full stops nothing
+}
+
+std::string text_option(const po::variables_map& values, const char* name, std::string fallback) {
+  return values.count(name) != 0 ? values[name].as<std::string>() : std::move(fallback);
+}
+
+std::uint64_t whole_option(const po::variables_map& values, const char* name, std::uint64_t fallback, std::uint64_t low,
+                           std::uint64_t high) {
+  if (values.count(name) == 0) return fallback;
+  const auto& text = values[name].as<std::string>();
+  std::uint64_t number = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || stop != text.data() + text.size() || number < low || number > high)
+    throw UsageError(fmt::format("--{} '{}': expected a whole number from {} to {}", name, text, low, high));
+  return number;
+}
+
+std::string version_text(std::string_view program) {
+  return fmt::format("{} (Folk {}), {} {}\n", program, FOLK_VERSION,
+#if defined(__clang__)
+                     "clang", __clang_version__
+#else
+                     "g++", __VERSION__
+#endif
+  );
+}
+
+}  // namespace folk::tools

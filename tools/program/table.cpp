@@ -1,0 +1,50 @@
+#include <folk/tools/program/table.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace folk::tools {
+namespace {
+
+bool numeric(const std::string& cell) {
+  return cell.empty() || cell == "-" || (cell.find_first_not_of("0123456789+-.,e%±/ ") == std::string::npos);
+}
+
+/// Characters, not bytes: the tables hold a few signs like ± in UTF-8.
+std::size_t width(const std::string& cell) {
+  return static_cast<std::size_t>(
+      std::count_if(cell.begin(), cell.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+}  // namespace
+
+std::string Table::text() const {
+  const std::size_t columns = header_.size();
+  std::vector<std::size_t> widths(columns);
+  std::vector<bool> right(columns, true);
+  for (std::size_t c = 0; c < columns; ++c) {
+    widths[c] = width(header_[c]);
+    for (const auto& row : rows_) {
+      widths[c] = std::max(widths[c], width(row[c]));
+      if (!numeric(row[c])) right[c] = false;
+    }
+  }
+  std::string text;
+  const auto line = [&](const std::vector<std::string>& row) {
+    std::string out;
+    for (std::size_t c = 0; c < columns; ++c) {
+      const std::string pad(widths[c] - width(row[c]), ' ');
+      if (c > 0) out += "  ";
+      out += right[c] ? pad + row[c] : row[c] + pad;
+    }
+    while (!out.empty() && out.back() == ' ') out.pop_back();
+    text += out + "\n";
+  };
+  line(header_);
+  for (const auto& row : rows_) line(row);
+  return text;
+}
+
+}  // namespace folk::tools

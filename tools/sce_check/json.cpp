@@ -1,0 +1,228 @@
+// What sce-check found, as JSON.
+
+#include <folk/tools/sce_check/output.h>
+
+#include <folk/strategies/machine_text.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace folk::tools {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class Value>
+Json optional(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+/// JSON has no infinity.
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json("infinity"); }
+
+Json path_of(const OpponentReport& report) {
+  if (!report.path) return nullptr;
+  std::string own;
+  std::string theirs;
+  for (const Round& round : report.path->rounds) {
+    own += to_char(round.own);
+    theirs += to_char(round.theirs);
+  }
+  return {{"own", own},
+          {"theirs", theirs},
+          {"cycle_from", report.path->cycle ? Json(*report.path->cycle + 1) : Json(nullptr)},
+          {"cut", report.path->cut}};
+}
+
+Json states_of(const OpponentReport& report) {
+  if (report.states.empty()) return nullptr;
+  Json states = Json::array();
+  for (const auto& state : report.states)
+    states.push_back({{"after", history_text(state.history)}, {"own", state.own}, {"theirs", state.theirs}});
+  return states;
+}
+
+Json belief_of(const std::optional<BeliefConsistency>& belief) {
+  if (!belief) return nullptr;
+  Json bins = Json::array();
+  for (const auto& bin : belief->bins)
+    bins.push_back(
+        {{"count", bin.count}, {"mean_belief", optional(bin.mean_belief())}, {"frequency", optional(bin.frequency())}});
+  return {{"sup_tv", belief->largest_distance},
+          {"mean_tv", optional(belief->mean_distance())},
+          {"accuracy", optional(belief->accuracy())},
+          {"log_loss", belief->log_loss() ? number(*belief->log_loss()) : Json(nullptr)},
+          {"brier", optional(belief->brier())},
+          {"settled_from", optional(belief->settled_from())},
+          {"wrong_rounds", belief->wrong_rounds},
+          {"calibration", bins}};
+}
+
+Json gaps_of(const SideGaps& gaps) {
+  Json object = Json::object();
+  for (const Notion notion : all_notions) {
+    if (notion == Notion::beliefs) continue;
+    const auto& gap = gap_of(gaps, notion);
+    object[std::string(to_string(notion))] = gap ? Json(gap->gain) : Json(nullptr);
+  }
+  return object;
+}
+
+template <class Ends>
+Json thresholds_of(const std::optional<Thresholds>& thresholds, const Ends& ends) {
+  if (!thresholds) return nullptr;
+  const auto one = [&](const std::optional<Threshold>& threshold) {
+    return threshold ? Json(ends(threshold->set)) : Json(nullptr);
+  };
+  return {{"nash", one(thresholds->nash)},
+          {"subgame_perfect", one(thresholds->subgame_perfect)},
+          {"self_confirming_unrestricted", one(thresholds->self_confirming_unrestricted)}};
+}
+
+std::string then_text(Binding::Then then) {
+  switch (then) {
+    case Binding::Then::minmax: return "minmax for ever";
+    case Binding::Then::plan: return "both go on as their machines say";
+    case Binding::Then::best_reply: return "best reply";
+  }
+  return "?";
+}
+
+/// The deviations that bind at the ends, in the order of thresholds_exact; null at the ends 0 and 1.
+Json bindings_of(const std::optional<Threshold>& threshold) {
+  if (!threshold) return nullptr;
+  Json list = Json::array();
+  for (const auto& interval : threshold->set.intervals()) {
+    Json ends = Json::array();
+    for (const auto* end : {&interval.low, &interval.high}) {
+      if (end->constraint == DiscountSet::no_constraint) {
+        ends.push_back(nullptr);
+        continue;
+      }
+      const Binding& binding = threshold->bindings[end->constraint];
+      ends.push_back({{"side", binding.side == Seat::row ? "own" : "theirs"},
+                      {"after", history_text(binding.history)},
+                      {"deviation", std::string(1, to_char(binding.deviation))},
+                      {"then", then_text(binding.then)}});
+    }
+    list.push_back(ends);
+  }
+  return list;
+}
+
+Json effect_of(const std::optional<sct::BeliefEffect>& effect) {
+  if (!effect) return nullptr;
+  const auto share = [&](std::uint64_t changed) {
+    return effect->rounds == 0 ? 0.0 : static_cast<double>(changed) / static_cast<double>(effect->rounds);
+  };
+  return {{"rounds", effect->rounds},
+          {"changed_by_c", effect->changed_by_c},
+          {"changed_by_d", effect->changed_by_d},
+          {"share_by_c", share(effect->changed_by_c)},
+          {"share_by_d", share(effect->changed_by_d)},
+          {"decoration", effect->changed_by_c + effect->changed_by_d == 0}};
+}
+
+/// The reply that gains, as an @file holds it.
+Json reply_of(const Certificate& verdict) {
+  constexpr std::size_t most_written = 1000;
+  if (!verdict.reply || verdict.reply->size() > most_written) return nullptr;
+  return write_machine("best_reply", *verdict.reply);
+}
+
+Json verdicts_of(const Verdicts& verdicts, const std::array<std::string, all_notions.size()>* worst) {
+  Json object = Json::object();
+  for (std::size_t n = 0; n < all_notions.size(); ++n) {
+    const auto& verdict = verdicts[n];
+    const std::string name(to_string(all_notions[n]));
+    if (!verdict) {
+      object[name] = nullptr;
+      continue;
+    }
+    object[name] = {{"word", verdict->text()},
+                    {"side", verdict->side == Seat::row ? "own" : "theirs"},
+                    {"margin", verdict->margin},
+                    {"margin_exact", verdict->margin_exact.empty() ? Json(nullptr) : Json(verdict->margin_exact)},
+                    {"witness", verdict->witness.empty() ? Json(nullptr) : Json(verdict->witness)},
+                    {"witness_machine", reply_of(*verdict)}};
+    if (worst != nullptr) object[name]["opponent"] = (*worst)[n];
+  }
+  return object;
+}
+
+Json opponent_of(const OpponentReport& report, const SceQuestion& question) {
+  const auto& thresholds = report.thresholds;
+  Json object = {{"opponent", report.opponent},
+                 {"rounds", question.criterion.is_finite() ? Json(question.criterion.rounds()) : Json(nullptr)},
+                 {"score", {{"own", report.own_score}, {"theirs", report.their_score}}},
+                 {"figures", std::string(to_string(report.method))},
+                 {"path", path_of(report)},
+                 {"information_states", states_of(report)},
+                 {"information_states_in_all", report.states.empty() ? Json(nullptr) : Json(report.all_states)},
+                 {"belief", belief_of(report.belief)},
+                 {"gaps", {{"own", gaps_of(report.gaps.first)}, {"theirs", gaps_of(report.gaps.second)}}},
+                 {"thresholds", thresholds_of(thresholds, [](const auto& set) { return to_numbers(set); })},
+                 {"thresholds_exact", thresholds_of(thresholds, [](const auto& set) { return to_exact_texts(set); })},
+                 {"thresholds_bind", nullptr},
+                 {"belief_effect", effect_of(report.effect)},
+                 {"verdicts", verdicts_of(report.verdicts, nullptr)}};
+  if (thresholds)
+    object["thresholds_bind"] = {
+        {"nash", bindings_of(thresholds->nash)},
+        {"subgame_perfect", bindings_of(thresholds->subgame_perfect)},
+        {"self_confirming_unrestricted", bindings_of(thresholds->self_confirming_unrestricted)}};
+  return object;
+}
+
+Json extracted_of(const SceQuestion& question, const std::optional<ExtractedMachine>& extracted) {
+  if (!extracted) return nullptr;
+  const Extraction& chosen = extracted->tried[extracted->chosen];
+  Json differences = Json::array();
+  for (const auto& match : chosen.matches.matches)
+    if (match.first_difference)
+      differences.push_back({{"opponent", match.opponent},
+                             {"moves", match.moves},
+                             {"equal", match.equal_played ? *match.equal_played : match.equal_told},
+                             {"first_difference", *match.first_difference}});
+  Json tried = Json::array();
+  for (const auto& one : extracted->tried)
+    tried.push_back({{"states", one.machine.size()},
+                     {"played_alike", optional(one.matches.played())},
+                     {"told_alike", one.matches.told()}});
+  return {{"machine", machine_file(question, *extracted)},
+          {"states", chosen.machine.size()},
+          {"played_alike", optional(chosen.matches.played())},
+          {"told_alike", chosen.matches.told()},
+          {"unseen", extracted->unseen_name},
+          {"unseen_played_alike", optional(extracted->unseen.played())},
+          {"unseen_told_alike", extracted->unseen.told()},
+          {"differences", differences},
+          {"tried", tried}};
+}
+
+}  // namespace
+
+void write_json(std::ostream& out, const SceQuestion& question, const SceReport& report) {
+  Json opponents = Json::array();
+  for (const auto& opponent : report.opponents) opponents.push_back(opponent_of(opponent, question));
+  const Json object = {{"policy", question.policy.name},
+                       {"game", to_text(question.game.payoffs)},
+                       {"criterion", question.criterion.to_string()},
+                       {"class", question.class_spec},
+                       {"side", question.sides == Sides::both    ? "both"
+                                : question.sides == Sides::first ? "own"
+                                                                 : "theirs"},
+                       {"epsilon_belief", question.epsilon_belief},
+                       {"epsilon_payoff", to_double(question.epsilon_payoff)},
+                       {"depth", question.depth},
+                       {"seed", question.seed},
+                       {"opponents", opponents},
+                       {"overall",
+                        {{"belief", belief_of(report.belief)},
+                         {"belief_effect", effect_of(report.effect)},
+                         {"verdicts", verdicts_of(report.verdicts, &report.worst)}}},
+                       {"extracted", extracted_of(question, report.extracted)}};
+  out << object.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+}
+
+}  // namespace folk::tools

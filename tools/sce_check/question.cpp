@@ -1,0 +1,152 @@
+#include <folk/tools/sce_check/question.h>
+
+#include <folk/tools/choices/criterion_option.h>
+#include <folk/tools/choices/play_options.h>
+#include <folk/tools/choices/policy_names.h>
+#include <folk/tools/choices/standard_names.h>
+#include <folk/tools/program/output_folder.h>
+
+#include <fmt/format.h>
+#include <folk/games/error.h>
+
+#include <algorithm>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+namespace folk::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file rather than a name: it looks like a path, or there is such a file and no such strategy.
+bool is_file_name(const Registry& registry, const std::string& name) {
+  if (name.starts_with("@") || name.starts_with("exec:")) return false;
+  if (name.find('/') != std::string::npos || name.ends_with(".bin") || name.ends_with(".safetensors")) return true;
+  std::error_code error;
+  if (!fs::is_regular_file(name, error)) return false;
+  try {
+    registry.describe(name);
+    return false;
+  } catch (const UsageError&) {
+    return true;
+  }
+}
+
+/// A gain that is allowed, kept as it was written: "0.1", "2/3".
+Rational epsilon_payoff(const po::variables_map& values) {
+  const Rational epsilon = parse_rational(text_option(values, "epsilon-payoff", "0"));
+  if (epsilon < 0)
+    throw UsageError(fmt::format("--epsilon-payoff '{}': expected 0 or more", text_option(values, "epsilon-payoff")));
+  return epsilon;
+}
+
+Sides sides_of(const std::string& text) {
+  if (text == "both") return Sides::both;
+  if (text == "own") return Sides::first;
+  if (text == "theirs") return Sides::second;
+  throw UsageError(fmt::format("--side '{}': expected both, own or theirs", excerpt(text)));
+}
+
+std::optional<std::string> required(const po::variables_map& values) {
+  if (values.count("require") == 0) return std::nullopt;
+  const std::string text = text_option(values, "require");
+  for (const char* known : {"nash", "subgame-perfect", "self-confirming", "beliefs"})
+    if (text == known) return text;
+  throw UsageError(
+      fmt::format("--require '{}': expected nash, subgame-perfect, self-confirming or beliefs", excerpt(text)));
+}
+
+std::vector<Strategy> class_of(const Registry& registry, const std::string& spec, const Payoffs& payoffs) {
+  auto beliefs = registry.roster(spec, payoffs);
+  std::erase_if(beliefs, [](const Strategy& strategy) { return !strategy.machine; });
+  if (beliefs.empty())
+    throw UsageError(fmt::format("--class {}: no machine is in it, and beliefs are machines", excerpt(spec)));
+  return beliefs;
+}
+
+}  // namespace
+
+void add_sce_options(Program& program) {
+  auto add = program.options.add_options();
+  const auto text = [] { return po::value<std::string>(); };
+  add("opponents", text(), "SPEC of whom POLICY is checked against (default: its training roster, else classics)");
+  add_criterion_options(program.options);
+  add("class", text(), "SPEC of the machines that the other side may be believed to be (default: the opponents)");
+  add("side", text()->default_value("both"), "whose gains a verdict is about: both, own (POLICY's) or theirs");
+  add("epsilon-belief", text(), "beliefs may be as far as this from the truth (default 0.05)");
+  add("epsilon-payoff", text(), "a deviation may gain as much as this (default 0)");
+  add("depth", text(), "rounds of the search on POLICY's own beliefs, 1 to 9 (default 6)");
+  add("horizon", text(), "rounds that machines without end are followed under criteria without end");
+  add("extract", "also make an automaton that plays as POLICY does");
+  add("require", text(), "exit 1 when it is refuted: nash, subgame-perfect, self-confirming or beliefs");
+  add_game_options(program.options);
+  add_play_options(program.options);
+  add("repetitions", text(), "matches of a pair that can only be sampled (default 100)");
+  add("seed", text(), "of all random numbers (default 1)");
+  add("threads", text(), "threads (default: one a processor); the results do not depend on it");
+  add("output", text(), "folder for report.html, report.json and the extracted automaton");
+  program.arguments.add_options()("name", po::value<std::vector<std::string>>());
+  program.positional.add("name", 2);
+}
+
+SceQuestion sce_question(const po::variables_map& values) {
+  const auto names =
+      values.count("name") != 0 ? values["name"].as<std::vector<std::string>>() : std::vector<std::string>{};
+  if (names.empty()) throw UsageError("no policy named: try sce-check sct, or sce-check pavlov pavlov");
+  const sct::PlayOptions options = chosen_play_options(values);
+  const Registry registry = standard_names(options);
+  SceQuestion question;
+  const bool is_file = is_file_name(registry, names[0]);
+  const auto file = is_file ? std::optional<fs::path>(names[0]) : policy_file(names[0]);
+  if (file) question.mind = read_mind(*file);
+  const auto* training = question.mind ? &question.mind->policy.training : nullptr;
+
+  question.game = chosen_game(values);
+  const bool own_game = values.count("payoffs") == 0 && values.count("game") == 0;
+  if (training != nullptr && own_game) question.game.payoffs = training->payoffs;
+  const Payoffs& payoffs = question.game.payoffs;
+  question.policy = file ? sct::transformer(is_file ? "sct:" + names[0] : names[0], question.mind, options)
+                         : registry.make(names[0], payoffs);
+
+  const bool own_criterion =
+      values.count("rounds") == 0 && values.count("criterion") == 0 && values.count("end-probability") == 0;
+  question.criterion =
+      training != nullptr && own_criterion ? Criterion::parse(training->criterion) : chosen_criterion(values);
+  if (!question.policy.machine && !question.criterion.is_finite())
+    throw UsageError(fmt::format("{} is played, not enumerated: claims about it need finite:T, not {}",
+                                 question.policy.name, question.criterion.to_string()));
+
+  if (names.size() == 2 && values.count("opponents") != 0)
+    throw UsageError("OPPONENT and --opponents contradict: give one of them");
+  const std::string trained_on = training != nullptr && !training->roster.empty() ? training->roster : "classics";
+  question.opponents_spec = names.size() == 2 ? names[1] : text_option(values, "opponents", trained_on);
+  question.opponents = names.size() == 2 ? std::vector{registry.make(names[1], payoffs)}
+                                         : registry.roster(question.opponents_spec, payoffs);
+  question.class_spec = text_option(values, "class", question.opponents_spec);
+  if (values.count("class") != 0)
+    question.beliefs = class_of(registry, question.class_spec, payoffs);
+  else
+    std::copy_if(question.opponents.begin(), question.opponents.end(), std::back_inserter(question.beliefs),
+                 [](const Strategy& strategy) { return strategy.machine != nullptr; });
+
+  question.sides = sides_of(text_option(values, "side"));
+  question.epsilon_belief = parse_number(text_option(values, "epsilon-belief", "0.05"), "--epsilon-belief", 0, 1);
+  question.epsilon_payoff = epsilon_payoff(values);
+  question.depth = whole_option(values, "depth", 6, 1, 9);
+  question.horizon = static_cast<unsigned>(whole_option(values, "horizon", 0, 1, 10'000));
+  question.extract = values.count("extract") != 0;
+  if (question.extract && question.policy.machine)
+    throw UsageError(fmt::format("--extract: {} is a machine already, strategy-graph draws it", question.policy.name));
+  question.require = required(values);
+  if (question.require == "beliefs" && question.policy.machine)
+    throw UsageError(fmt::format("--require beliefs: {} is a machine and holds none", question.policy.name));
+  question.repetitions = whole_option(values, "repetitions", 100, 1, 1'000'000);
+  question.seed = whole_option(values, "seed", 1, 0, ~std::uint64_t{0});
+  question.threads =
+      static_cast<unsigned>(whole_option(values, "threads", std::max(1U, std::thread::hardware_concurrency()), 1, 256));
+  question.output = output_folder(values);
+  return question;
+}
+
+}  // namespace folk::tools

@@ -1,0 +1,190 @@
+// What sce-check found, as text for people and as CSV.
+
+#include <folk/tools/program/csv.h>
+#include <folk/tools/program/table.h>
+#include <folk/tools/sce_check/output.h>
+#include <folk/tools/sce_check/words.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace folk::tools {
+namespace {
+
+/// Paths are shown up to this many rounds.
+constexpr std::size_t most_shown = 200;
+
+std::string effect_text(const std::optional<sct::BeliefEffect>& effect) {
+  return effect ? fmt::format("{} / {} of {}", effect->changed_by_c, effect->changed_by_d, effect->rounds) : "-";
+}
+
+void write_header(std::ostream& out, const SceQuestion& question, const SceReport& report) {
+  out << fmt::format("{} against {}\n", question.policy.name,
+                     report.opponents.size() == 1
+                         ? report.opponents.front().opponent
+                         : fmt::format("the {} of {}", report.opponents.size(), question.opponents_spec));
+  out << fmt::format("game {} ({}), {}, class {}, epsilon-belief {}, epsilon-payoff {}, depth {}, seed {}\n",
+                     question.game.title, to_text(question.game.payoffs), question.criterion.to_string(),
+                     question.class_spec, question.epsilon_belief, to_text(question.epsilon_payoff), question.depth,
+                     question.seed);
+}
+
+std::string line_of(Notion notion, const Certificate& verdict) {
+  std::string text = fmt::format("  {:<34} {}", title_of(notion), verdict.text());
+  if (verdict.margin > 0 || verdict.word == Word::refuted)
+    text += fmt::format("  {} {}", notion == Notion::beliefs ? "distance" : "gain", margin_text(notion, verdict));
+  if (!verdict.witness.empty()) text += ": " + verdict.witness;
+  return text + "\n";
+}
+
+std::string set_text(const std::optional<Threshold>& threshold) { return threshold ? to_text(threshold->set) : "-"; }
+
+void write_belief(std::ostream& out, const BeliefConsistency& belief) {
+  out << fmt::format("beliefs   {} right, distance to the truth at most {:.4g}, on average {:.4g}\n",
+                     share_text(belief.accuracy()), belief.largest_distance, belief.mean_distance().value_or(0));
+  out << fmt::format(
+      "          log loss {:.4g}, Brier score {:.4g}, {}\n", belief.log_loss().value_or(0), belief.brier().value_or(0),
+      belief.settled_from() ? fmt::format("right from round {} on", *belief.settled_from()) : "wrong at the end");
+  out << fmt::format("          wrong in rounds: {}\n", rounds_words(belief.wrong_rounds));
+}
+
+void write_one(std::ostream& out, const OpponentReport& report) {
+  out << fmt::format("\nscore     {} to {} ({})\n", payoff_text(report.own_score), payoff_text(report.their_score),
+                     to_string(report.method));
+  if (report.path) out << "path      " << path_words(*report.path, most_shown) << " (own move first)\n";
+  if (!report.states.empty()) {
+    out << fmt::format("states    {} situations of positive probability; after ...: P(C) own, theirs\n",
+                       report.all_states);
+    for (std::size_t i = 0; i < std::min<std::size_t>(report.states.size(), 12); ++i)
+      out << fmt::format("          {}: {:.4g}, {:.4g}\n",
+                         report.states[i].history.empty() ? "(start)" : history_text(report.states[i].history),
+                         report.states[i].own, report.states[i].theirs);
+  }
+  if (report.belief) write_belief(out, *report.belief);
+  if (report.effect)
+    out << fmt::format("effect    forcing the belief to C changes {} of {} moves, to D {}{}\n",
+                       report.effect->changed_by_c, report.effect->rounds, report.effect->changed_by_d,
+                       report.effect->changed_by_c + report.effect->changed_by_d == 0 ? ": it is decoration" : "");
+  Table gaps({"what can be gained", "own", "theirs"});
+  for (const Notion notion : all_notions)
+    if (notion != Notion::beliefs)
+      gaps.add({std::string(title_of(notion)), gap_text(gap_of(report.gaps.first, notion)),
+                gap_text(gap_of(report.gaps.second, notion))});
+  out << "\n" << gaps.text();
+  if (report.thresholds)
+    out << fmt::format("\ndiscount factors at which it holds: Nash {}; subgame perfect {}; self-confirming {}\n",
+                       set_text(report.thresholds->nash), set_text(report.thresholds->subgame_perfect),
+                       set_text(report.thresholds->self_confirming_unrestricted));
+}
+
+void write_tables(std::ostream& out, const SceReport& report) {
+  const bool believes = report.belief.has_value();
+  if (believes) {
+    Table beliefs({"opponent", "score", "right", "sup TV", "mean TV", "settled", "effect C / D"});
+    for (const auto& one : report.opponents) {
+      if (!one.belief) continue;
+      const auto settled = one.belief->settled_from();
+      beliefs.add({one.opponent, payoff_text(one.own_score), share_text(one.belief->accuracy()),
+                   fmt::format("{:.4f}", one.belief->largest_distance),
+                   fmt::format("{:.4f}", one.belief->mean_distance().value_or(0)),
+                   settled ? std::to_string(*settled) : "-", effect_text(one.effect)});
+    }
+    out << "\n" << beliefs.text();
+  }
+  Table gaps({"opponent", "Nash", "Nash of theirs", "perfect", "SCE free", "SCE class", "SCE own", "believed to be"});
+  for (const auto& one : report.opponents) {
+    const auto& own = one.gaps.first;
+    gaps.add({one.opponent, gap_text(own.nash), gap_text(one.gaps.second.nash), gap_text(own.subgame_perfect),
+              gap_text(own.self_confirming_unrestricted), gap_text(own.self_confirming_class),
+              gap_text(own.self_confirming_own),
+              own.self_confirming_class ? own.self_confirming_class->witness.belief : "-"});
+  }
+  out << "\nwhat the policy can gain (Nash of theirs: what the opponent can), 0 in equilibrium; >= is a lower bound\n"
+      << gaps.text();
+}
+
+/// Where there are two deterministic machines.
+void write_thresholds(std::ostream& out, const SceReport& report) {
+  Table sets({"opponent", "Nash", "subgame perfect", "self-confirming"});
+  bool any = false;
+  for (const auto& one : report.opponents) {
+    if (!one.thresholds) continue;
+    any = true;
+    sets.add({one.opponent, set_text(one.thresholds->nash), set_text(one.thresholds->subgame_perfect),
+              set_text(one.thresholds->self_confirming_unrestricted)});
+  }
+  if (any) out << "\ndiscount factors at which it holds\n" << sets.text();
+}
+
+void write_extracted(std::ostream& out, const ExtractedMachine& extracted) {
+  out << "\nautomata that play as it does\n";
+  Table tried({"states", "played alike", "told alike", ""});
+  for (std::size_t i = 0; i < extracted.tried.size(); ++i) {
+    const auto& one = extracted.tried[i];
+    tried.add({std::to_string(one.machine.size()), share_text(one.matches.played()), share_text(one.matches.told()),
+               i == extracted.chosen ? "chosen" : ""});
+  }
+  out << tried.text();
+  out << fmt::format("on {}, which it was not built from: {} played alike, {} told\n", extracted.unseen_name,
+                     share_text(extracted.unseen.played()), share_text(extracted.unseen.told()));
+  for (const auto& match : extracted.tried[extracted.chosen].matches.matches)
+    if (match.first_difference)
+      out << fmt::format("  against {}: {} of {} moves alike, first otherwise in round {}\n", match.opponent,
+                         match.equal_played.value_or(match.equal_told), match.moves, *match.first_difference);
+}
+
+}  // namespace
+
+void write_text(std::ostream& out, const SceQuestion& question, const SceReport& report) {
+  write_header(out, question, report);
+  if (report.opponents.size() == 1)
+    write_one(out, report.opponents.front());
+  else
+    write_tables(out, report);
+  if (report.opponents.size() > 1) write_thresholds(out, report);
+  if (report.belief && report.opponents.size() > 1)
+    out << fmt::format("\nbeliefs in all: {} right, log loss {:.4g}, Brier score {:.4g}; effect C / D {}\n",
+                       share_text(report.belief->accuracy()), report.belief->log_loss().value_or(0),
+                       report.belief->brier().value_or(0), effect_text(report.effect));
+  if (report.extracted) write_extracted(out, *report.extracted);
+  out << (report.opponents.size() == 1 ? "\nverdicts\n" : "\nverdicts (the worst of all opponents)\n");
+  for (std::size_t n = 0; n < all_notions.size(); ++n) {
+    if (!report.verdicts[n]) {
+      out << fmt::format("  {:<34} {}\n", title_of(all_notions[n]), "does not apply");
+      continue;
+    }
+    std::string line = line_of(all_notions[n], *report.verdicts[n]);
+    if (report.opponents.size() > 1) line.insert(line.size() - 1, fmt::format(" [{}]", report.worst[n]));
+    out << line;
+  }
+}
+
+void write_csv(std::ostream& out, const SceQuestion&, const SceReport& report) {
+  out << "opponent,own_score,their_score,accuracy,sup_tv,mean_tv,log_loss,brier,settled_from";
+  for (const char* side : {"own", "theirs"})
+    for (const Notion notion : all_notions)
+      if (notion != Notion::beliefs) out << "," << side << "_" << to_string(notion);
+  for (const Notion notion : all_notions) out << ",verdict_" << to_string(notion);
+  out << "\n";
+  const auto optional = [](const auto& value) { return value ? fmt::format("{}", *value) : std::string(); };
+  for (const auto& one : report.opponents) {
+    out << csv_field(one.opponent) << fmt::format(",{},{}", one.own_score, one.their_score);
+    if (one.belief)
+      out << fmt::format(",{},{},{},{},{},{}", optional(one.belief->accuracy()), one.belief->largest_distance,
+                         optional(one.belief->mean_distance()), optional(one.belief->log_loss()),
+                         optional(one.belief->brier()), optional(one.belief->settled_from()));
+    else
+      out << ",,,,,,";
+    for (const auto* gaps : {&one.gaps.first, &one.gaps.second})
+      for (const Notion notion : all_notions)
+        if (notion != Notion::beliefs) {
+          const auto& gap = gap_of(*gaps, notion);
+          out << "," << (gap ? fmt::format("{}", gap->gain) : std::string());
+        }
+    for (const auto& verdict : one.verdicts) out << "," << (verdict ? csv_field(verdict->text()) : std::string());
+    out << "\n";
+  }
+}
+
+}  // namespace folk::tools

@@ -1,0 +1,166 @@
+#include <folk/tools/sce_check/words.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace folk::tools {
+namespace {
+
+std::string then_words(Binding::Then then) {
+  switch (then) {
+    case Binding::Then::minmax: return "and is held to its minmax for ever";
+    case Binding::Then::plan: return "and both go on as their machines say";
+    case Binding::Then::best_reply: return "and goes on with a best reply";
+  }
+  return "?";
+}
+
+/// Class of style and sign of a judgement.
+struct Look {
+  const char* css_class;
+  const char* sign;
+};
+
+Look look_of(const std::optional<Certificate>& verdict) {
+  if (!verdict) return {"none", "–"};
+  switch (verdict->word) {
+    case Word::certified: return {"yes", "✓"};
+    case Word::not_refuted: return {"open", "?"};
+    case Word::refuted: break;
+  }
+  return {"no", "✗"};
+}
+
+}  // namespace
+
+std::string payoff_text(double value) {
+  if (value == std::floor(value) && std::abs(value) < 1e15) return fmt::format("{:.0f}", value);
+  return std::abs(value) < 1e-3 ? fmt::format("{:.3g}", value) : fmt::format("{:.4f}", value);
+}
+
+std::string share_text(const std::optional<double>& share) {
+  return share ? fmt::format("{:.2f} %", 100 * *share) : "-";
+}
+
+std::string measure_text(const std::optional<double>& value) {
+  if (!value) return "-";
+  return std::isfinite(*value) ? fmt::format("{:.4g}", *value) : "infinite";
+}
+
+std::string side_text(const std::string& policy, const std::string& opponent, Seat side) {
+  if (policy == opponent) return side == Seat::row ? "the first" : "the second";
+  return side == Seat::row ? policy : opponent;
+}
+
+std::string_view title_of(Notion notion) {
+  switch (notion) {
+    case Notion::nash: return "Nash";
+    case Notion::subgame_perfect: return "subgame perfect";
+    case Notion::self_confirming_unrestricted: return "self-confirming, free beliefs";
+    case Notion::self_confirming_class: return "self-confirming, class of beliefs";
+    case Notion::self_confirming_own: return "self-confirming, own beliefs";
+    case Notion::beliefs: return "beliefs true on the path";
+  }
+  return "?";
+}
+
+std::string gap_text(const std::optional<Gap>& gap) {
+  if (!gap) return "-";
+  const std::string exact = gap->exact ? to_text(*gap->exact) : std::string();
+  return (gap->bounded() ? ">= " : "") + (exact.empty() || exact.size() > 12 ? payoff_text(gap->gain) : exact);
+}
+
+std::string meaning_of(Notion notion) {
+  switch (notion) {
+    case Notion::nash: return "Nobody gains by playing another strategy from the start.";
+    case Notion::subgame_perfect: return "Nor after any history that deviations of either side can lead to.";
+    case Notion::self_confirming_unrestricted:
+      return "Nobody gains by leaving the path who may believe anything of what happens off it.";
+    case Notion::self_confirming_class:
+      return "Nobody gains who believes the other to be some machine of the class that plays the same path.";
+    case Notion::self_confirming_own: return "The policy does best by what it itself believes.";
+    case Notion::beliefs: return "What the policy expects is what the opponent does.";
+  }
+  return "?";
+}
+
+Html word_of(const std::optional<Certificate>& verdict) {
+  const Look look = look_of(verdict);
+  const std::string text = verdict ? verdict->text() : "does not apply";
+  // How far was looked, "(depth 6)", is set apart from the word.
+  const std::size_t scope = std::min(text.find(" ("), text.size());
+  const Html word = element("b", Html(look.sign) + " " + text.substr(0, scope));
+  return element_of("span", std::string("word ") + look.css_class, word + text.substr(scope));
+}
+
+Html sign_of(const std::optional<Certificate>& verdict) {
+  const Look look = look_of(verdict);
+  return element(
+      "span", look.sign,
+      {{"class", std::string("word ") + look.css_class}, {"title", verdict ? verdict->text() : "does not apply"}});
+}
+
+std::string margin_text(Notion notion, const Certificate& verdict) {
+  // Too small for a double is not 0.
+  if (verdict.margin == 0 && !verdict.margin_exact.empty() && verdict.margin_exact != "0") return "above 0";
+  const bool exact = !verdict.margin_exact.empty() && verdict.margin_exact.size() <= 20;
+  const std::string margin = exact ? verdict.margin_exact : payoff_text(verdict.margin);
+  if (notion == Notion::beliefs) return margin;
+  return verdict.margin > 0 ? fmt::format("{} ({})", margin, verdict.side == Seat::row ? "own" : "theirs") : margin;
+}
+
+std::string path_words(const PlayPath& path, std::size_t most) {
+  const auto shown = static_cast<std::ptrdiff_t>(std::min(path.rounds.size(), most));
+  std::string text = history_text({path.rounds.begin(), path.rounds.begin() + shown});
+  if (path.rounds.size() > most)
+    return text + fmt::format(" ... (the first {} of {} rounds)", shown, path.rounds.size());
+  if (path.cycle) text += fmt::format(", again and again from round {}", *path.cycle + 1);
+  return path.cut ? text + " ..." : text;
+}
+
+std::string rounds_words(const std::vector<std::uint64_t>& rounds) {
+  std::string text;
+  for (std::size_t i = 0; i < rounds.size();) {
+    std::size_t end = i + 1;
+    while (end < rounds.size() && rounds[end] == rounds[end - 1] + 1) ++end;
+    text += text.empty() ? "" : ", ";
+    text += end - i > 2 ? fmt::format("{}-{}", rounds[i], rounds[end - 1]) : std::to_string(rounds[i]);
+    i = end - i > 2 ? end : i + 1;
+  }
+  return text.empty() ? "none" : text;
+}
+
+std::string witness_words(Notion notion, const std::string& witness) {
+  const bool names_belief = notion == Notion::self_confirming_class && !witness.empty();
+  return names_belief ? "believes the other to be " + witness : witness;
+}
+
+std::string how_words(Notion notion, const Gap& gap) {
+  std::string text = witness_words(notion, witness_text(gap));
+  if (text.empty()) text = gap.gain > 0 ? "-" : "no deviation gains";
+  if (!gap.tried.empty()) return fmt::format("{} (a lower bound: {})", text, gap.tried);
+  if (gap.depth) return fmt::format("{} (a lower bound: depth {})", text, *gap.depth);
+  return gap.exact || gap.residual == 0 ? text : fmt::format("{} (exact to {:.1g})", text, gap.residual);
+}
+
+std::vector<std::string> binding_words(const Threshold& threshold, const std::string& policy,
+                                       const std::string& opponent) {
+  std::vector<std::string> words;
+  const auto texts = to_exact_texts(threshold.set);
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const auto& interval = threshold.set.intervals()[i];
+    for (const std::size_t e : {0U, 1U}) {
+      const auto& end = e == 0 ? interval.low : interval.high;
+      if (end.constraint == DiscountSet::no_constraint) continue;
+      const Binding& binding = threshold.bindings[end.constraint];
+      words.push_back(fmt::format("at {}: {}, {}, plays {} {}", texts[i][e], side_text(policy, opponent, binding.side),
+                                  binding.history.empty() ? "in round 1" : "after " + history_text(binding.history),
+                                  to_char(binding.deviation), then_words(binding.then)));
+    }
+  }
+  return words;
+}
+
+}  // namespace folk::tools

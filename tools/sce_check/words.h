@@ -1,0 +1,60 @@
+#pragma once
+// What sce-check found, in words and numbers for people.
+
+#include <folk/tools/program/html.h>
+#include <folk/tools/sce_check/output.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace folk::tools {
+
+/// A payoff: "3", "2.6667".
+std::string payoff_text(double value);
+
+/// A share of 1: "97.59 %"; "-" where there is none.
+std::string share_text(const std::optional<double>& share);
+
+/// A distance or a loss: "0.1234", "infinite"; "-" where there is none.
+std::string measure_text(const std::optional<double>& value);
+
+/// "the policy" or the opponent's name.
+std::string side_text(const std::string& policy, const std::string& opponent, Seat side);
+
+/// "Nash", "subgame perfect", ...
+std::string_view title_of(Notion notion);
+
+/// A gap, exact where it is, with >= where it is a lower bound; "-" where it is unknown.
+std::string gap_text(const std::optional<Gap>& gap);
+
+/// The notion in a sentence.
+std::string meaning_of(Notion notion);
+
+/// One of the three words with its sign and colour, and how far was looked.
+Html word_of(const std::optional<Certificate>& verdict);
+
+/// The sign alone.
+Html sign_of(const std::optional<Certificate>& verdict);
+
+/// "2 (own)": how much is gained, or how far beliefs are from the truth.
+std::string margin_text(Notion notion, const Certificate& verdict);
+
+/// What is played: "(CC)x99 CD", and where it goes on. No more than the first `most` rounds.
+std::string path_words(const PlayPath& path, std::size_t most);
+
+/// "3, 7-9, 100" of ascending rounds; "none".
+std::string rounds_words(const std::vector<std::uint64_t>& rounds);
+
+/// What shows a claim, as a whole phrase.
+std::string witness_words(Notion notion, const std::string& witness);
+
+/// How a gain is had, or why there is none, and how far was looked.
+std::string how_words(Notion notion, const Gap& gap);
+
+/// "at 1/2: the policy, after CC, plays D, then ..."; a piece for each end that a deviation makes.
+std::vector<std::string> binding_words(const Threshold& threshold, const std::string& policy,
+                                       const std::string& opponent);
+
+}  // namespace folk::tools

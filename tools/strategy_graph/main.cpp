@@ -1,0 +1,124 @@
+// strategy-graph: a strategy drawn as an automaton.
+
+#include <fmt/format.h>
+#include <folk/analysis/pictures/drawing.h>
+#include <folk/analysis/pictures/render.h>
+#include <folk/games/error.h>
+#include <folk/games/text_file.h>
+
+#include <filesystem>
+#include <iostream>
+#include <optional>
+
+#include <folk/tools/choices/chosen_machine.h>
+#include <folk/tools/choices/standard_names.h>
+#include <folk/tools/program/program.h>
+
+namespace folk::tools {
+namespace {
+
+/// More circles than this are no picture.
+constexpr std::size_t most_drawn = 300;
+
+/// Machines with more states than this are not minimised.
+constexpr std::size_t most_searched = 100'000;
+
+/// Where the drawing goes; no picture format means DOT text.
+struct Output {
+  std::string path;
+  std::optional<PictureFormat> format;
+};
+
+Output output_named(const std::string& path) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  if (extension == ".dot") return {path, std::nullopt};
+  for (const auto format : {PictureFormat::svg, PictureFormat::png, PictureFormat::pdf})
+    if (extension == "." + to_string(format)) return {path, format};
+  throw UsageError(fmt::format("-o {}: the extension says the format: .svg, .png, .pdf or .dot", path));
+}
+
+/// The smallest automaton of a finite machine, or nothing when it has too many states to find out.
+std::optional<Automaton> smallest_automaton(const Machine& machine, Sense sense) {
+  if (!machine.finite()) return std::nullopt;
+  const auto table = tabulate(machine, sense, most_searched);
+  if (!table) return std::nullopt;
+  return minimise(*table, sense);
+}
+
+/// The first `horizon` rounds of a machine.
+Automaton first_rounds(const Machine& machine, Sense sense, unsigned horizon) {
+  if (const auto smallest = smallest_automaton(machine, sense)) return unroll(*smallest, sense, horizon);
+  // States are told apart by what follows the horizon as well: a cut there alone would merge states (soft_majo's
+  // leads, gradual's counts) only because the picture ends.
+  const unsigned look_ahead = horizon + 4;
+  return unroll(minimise(unroll(machine, sense, horizon + look_ahead, most_searched), sense), sense, horizon);
+}
+
+Automaton drawn_automaton(const std::string& name, const Machine& machine, Sense sense, unsigned horizon) {
+  const auto refuse = [&](const std::string& what, const std::string& mend) {
+    return UsageError(fmt::format("{}, more than the {} that make a picture: {}", what, most_drawn, mend));
+  };
+  if (horizon > 0) {
+    Automaton cut = first_rounds(machine, sense, horizon);
+    if (cut.size() <= most_drawn) return cut;
+    throw refuse(fmt::format("the first {} rounds of {} have {} states", horizon, name, cut.size()),
+                 "give a smaller --horizon");
+  }
+  if (!machine.finite())
+    throw UsageError(fmt::format("{} has infinitely many states: draw its first N rounds with --horizon N", name));
+  auto smallest = smallest_automaton(machine, sense);
+  if (smallest && smallest->size() <= most_drawn) return *std::move(smallest);
+  throw refuse(fmt::format("{} has {} states", name,
+                           smallest ? std::to_string(smallest->size()) : fmt::format("over {}", most_searched)),
+               "draw its first N rounds with --horizon N");
+}
+
+Program strategy_graph() {
+  Program program;
+  program.name = "strategy-graph";
+  program.usage = "NAME [-o FILE] [options]";
+  program.summary =
+      "Draws a strategy as its smallest automaton: a circle is a state and holds its move, edges are labelled with\n"
+      "their move, or with own/their moves where own moves matter. NAME is a strategy (see ipd-strategies list),\n"
+      "@FILE or @FILE#MACHINE. Without -o the drawing is printed as DOT.";
+  program.examples = {"strategy-graph pavlov -o pavlov.svg", "strategy-graph spiteful --any-own-moves -o spiteful.pdf",
+                      "strategy-graph gradual --horizon 6 -o gradual.png",
+                      "strategy-graph '@examples/my_strategies.machines#slow_pavlov' -o slow_pavlov.svg"};
+  auto add = program.options.add_options();
+  add("output,o", po::value<std::string>(), "file to write: .svg, .png, .pdf (these need Graphviz) or .dot");
+  add("any-own-moves", "own moves may differ from the machine's own, as noise and deviations make them");
+  add("horizon", po::value<std::string>(), "draw the first N rounds (1 to 100); for machines without end");
+  add("payoffs", po::value<std::string>(), "T=5,R=3,P=1,S=0 (default): some strategies depend on them");
+  program.arguments.add_options()("name", po::value<std::string>());
+  program.positional.add("name", 1);
+  return program;
+}
+
+int draw(const po::variables_map& values, const Common&) {
+  const std::string name = text_option(values, "name");
+  if (name.empty()) throw UsageError("no strategy named: try strategy-graph pavlov -o pavlov.svg");
+  std::optional<Output> output;
+  if (values.count("output") != 0) output = output_named(text_option(values, "output"));
+  const auto horizon = static_cast<unsigned>(whole_option(values, "horizon", 0, 1, 100));
+  const Sense sense = values.count("any-own-moves") != 0 ? Sense::any_own_moves : Sense::own_moves_its_own;
+  const std::string payoffs = text_option(values, "payoffs");
+  const Strategy strategy =
+      chosen_machine(standard_names(), name, payoffs.empty() ? Payoffs{} : parse_payoffs(payoffs), "drawn");
+
+  const Automaton automaton = drawn_automaton(strategy.name, *strategy.machine, sense, horizon);
+  const std::string dot = to_dot(automaton, {strategy.name, sense, horizon});
+  if (!output)
+    std::cout << dot;
+  else if (output->format)
+    render_dot(dot, output->path, *output->format);
+  else
+    write_file(output->path, dot);
+  return done;
+}
+
+}  // namespace
+}  // namespace folk::tools
+
+int main(int argc, char** argv) {
+  return folk::tools::run(argc, argv, folk::tools::strategy_graph(), {}, folk::tools::draw);
+}
