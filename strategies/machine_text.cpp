@@ -1,6 +1,6 @@
 #include <folk/games/error.h>
 #include <folk/strategies/machine_text.h>
-#include <folk/strategies/registry.h>
+#include <folk/strategies/names.h>
 
 #include <fmt/format.h>
 

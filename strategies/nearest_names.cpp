@@ -1,5 +1,5 @@
+#include <folk/strategies/names.h>
 #include <folk/strategies/nearest_names.h>
-#include <folk/strategies/registry.h>
 
 #include <algorithm>
 #include <cstddef>

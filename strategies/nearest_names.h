@@ -7,7 +7,7 @@
 
 namespace folk {
 
-/// A name as it is matched (name_key of registry.h) and as it is shown.
+/// A name as it is matched (name_key of names.h) and as it is shown.
 struct NameCandidate {
   std::string key;
   std::string shown;

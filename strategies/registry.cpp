@@ -12,18 +12,6 @@
 namespace folk {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-/// What two names of strategies must share to be the same: what a prefix hands on (exec:CMD, sct:FILE) letter by
-/// letter, any other name as it is matched.
-std::string identity(std::string_view name) {
-  return name.find(':') != std::string_view::npos ? std::string(name) : name_key(name);
-}
-
 /// "head(arguments)" split at the first parenthesis; no arguments when there is none.
 struct Call {
   std::string_view head;
@@ -41,52 +29,10 @@ Call split_call(std::string_view name) {
 
 }  // namespace
 
-std::string name_key(std::string_view name) {
-  std::string key;
-  for (const char c : name) {
-    if (c == '_' || c == '-') continue;
-    key += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  }
-  return key;
-}
-
-std::vector<std::string> split_list(std::string_view text) {
-  std::vector<std::string> parts;
-  std::string closers;  // of the brackets that are open
-  bool quoted = false;
-  std::size_t begin = 0;
-  const auto take = [&](std::size_t end) {
-    const auto part = trimmed(text.substr(begin, end - begin));
-    if (!part.empty()) parts.emplace_back(part);
-    begin = end + 1;
-  };
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (quoted) {
-      if (c == '\\') ++i;
-      quoted = c != '"';
-    } else if (c == '"') {
-      quoted = true;
-    } else if (c == '(' || c == '[') {
-      closers += c == '(' ? ')' : ']';
-    } else if (!closers.empty() && c == closers.back()) {
-      closers.pop_back();
-    } else if (c == ',' && closers.empty()) {
-      take(i);
-    }
-  }
-  if (quoted || !closers.empty())
-    throw UsageError(fmt::format("'{}': a {} is not closed", excerpt(text), quoted ? "quote" : "bracket"));
-  take(text.size());
-  return parts;
-}
-
-bool same_name(std::string_view a, std::string_view b) { return identity(a) == identity(b); }
-
 void refuse_duplicates(const std::vector<Strategy>& roster) {
   std::set<std::string> seen;
   for (const auto& strategy : roster)
-    if (!seen.insert(identity(strategy.name)).second)
+    if (!seen.insert(name_identity(strategy.name)).second)
       throw UsageError(fmt::format("strategy '{}' is given twice: name it once (other names of it count too)",
                                    excerpt(strategy.name, 100)));
 }

@@ -2,6 +2,7 @@
 // Every strategy that has a name, and the reading of rosters.
 
 #include <folk/games/payoffs.h>
+#include <folk/strategies/names.h>
 #include <folk/strategies/strategy.h>
 
 #include <functional>
@@ -98,17 +99,6 @@ private:
   std::vector<Form> forms_;
   std::vector<Prefix> prefixes_;
 };
-
-/// A name as it is matched: lower case, without '_' and '-'.
-std::string name_key(std::string_view name);
-
-/// Parts of a comma list; commas inside (), [] or double quotes do not split; blanks around parts are dropped.
-/// Throws UsageError on an unclosed bracket or quote.
-std::vector<std::string> split_list(std::string_view text);
-
-/// True when two strategies' names are matched alike; commands and files (exec:CMD, sct:FILE) are compared letter by
-/// letter.
-bool same_name(std::string_view a, std::string_view b);
 
 /// Throws UsageError when two strategies of a roster have the same_name.
 void refuse_duplicates(const std::vector<Strategy>& roster);

@@ -1,7 +1,7 @@
 #pragma once
 // Matches of one policy round by round: what it did, what it believed, and what the opponent truly was about to do.
 
-#include <folk/analysis/play/sampled_play.h>
+#include <folk/analysis/play/sampling.h>
 #include <folk/games/move.h>
 #include <folk/strategies/strategy.h>
 

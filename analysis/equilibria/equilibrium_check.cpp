@@ -2,6 +2,7 @@
 #include <folk/analysis/equilibria/nash_gap.h>
 #include <folk/analysis/equilibria/self_confirming_gap.h>
 #include <folk/analysis/equilibria/subgame_perfect_gap.h>
+#include <folk/analysis/play/criterion_table.h>
 #include <folk/games/error.h>
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 // One match of two players, round by round, with its outcomes and guesses added up.
 
 #include <folk/analysis/play/pair_result.h>
-#include <folk/analysis/play/sampled_play.h>
+#include <folk/analysis/play/sampling.h>
 #include <folk/games/random.h>
 #include <folk/strategies/strategy.h>
 

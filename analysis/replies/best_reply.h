@@ -31,9 +31,4 @@ struct BestReplyOptions {
 BestReply best_reply(const Machine& opponent, const Payoffs& payoffs, const Criterion& criterion,
                      const BestReplyOptions& options = {});
 
-/// A machine as the table that a criterion needs: for finite:T what it reaches within T rounds, else all its states, or
-/// those within the horizon where there is no end to them.
-/// Throws UsageError as best_reply does.
-Automaton table_for(const Machine& machine, const Criterion& criterion, Sense sense, unsigned horizon);
-
 }  // namespace folk

@@ -1,3 +1,4 @@
+#include <folk/analysis/play/criterion_table.h>
 #include <folk/analysis/replies/class_replies.h>
 
 #include <folk/games/error.h>

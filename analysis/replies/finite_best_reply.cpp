@@ -1,5 +1,5 @@
+#include <folk/analysis/play/criterion_table.h>
 #include <folk/analysis/play/whole_payoffs.h>
-#include <folk/analysis/replies/best_reply.h>
 #include <folk/analysis/replies/finite_best_reply.h>
 #include <folk/games/error.h>
 

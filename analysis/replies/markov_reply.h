@@ -1,7 +1,8 @@
 #pragma once
 // The best reply without end to a machine that mixes or slips, in doubles.
 
-#include <folk/analysis/replies/stationary_reply.h>
+#include <folk/analysis/replies/reply_problem.h>
+#include <folk/games/criterion.h>
 
 namespace folk {
 

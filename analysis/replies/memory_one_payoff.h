@@ -31,7 +31,7 @@ struct PopulationMember {
 class Population {
 public:
   /// Weights are scaled to add up to 1. Machines without end come as tables that are right as long as the criterion
-  /// lasts (table_for of analysis/replies/best_reply.h), with noise in the sense any_own_moves.
+  /// lasts (table_for of analysis/play/criterion_table.h), with noise in the sense any_own_moves.
   /// Throws UsageError when nobody is in it, a weight is not positive, the noise is outside [0, 1] or a machine is too
   /// large for its Markov chain to be solved many times.
   Population(std::vector<PopulationMember> members, const Payoffs& payoffs, const Criterion& criterion,

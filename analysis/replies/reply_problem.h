@@ -1,7 +1,8 @@
 #pragma once
-// Replying to a known machine as a Markov decision problem on its states.
+// Replying to a known machine as a Markov decision problem on its states, and what solves it.
 
 #include <folk/games/payoffs.h>
+#include <folk/games/rational.h>
 #include <folk/strategies/automaton.h>
 
 #include <array>
@@ -58,6 +59,15 @@ struct ReplyProblem {
 /// pays the least payoff of the game: what a reply earns is never overstated.
 /// Throws UsageError when `noise` is outside [0, 1].
 ReplyProblem reply_problem(const Automaton& opponent, const Payoffs& payoffs, double noise = 0);
+
+/// A best move in every state of a reply problem, and what it is worth from there on.
+struct StationaryReply {
+  std::vector<Move> moves;            ///< by state; C where both are as good
+  std::vector<double> values;         ///< by state, in the criterion's unit (mean: a round)
+  double residual = 0;                ///< no reply earns more than values + residual anywhere
+  std::optional<Rational> optimum;    ///< from the start on: exact, and proved to be the best; set without chance
+  std::vector<Rational> exact_means;  ///< without chance and for mean: the best mean from each state on
+};
 
 /// A stationary reply as a machine on the problem's states: what it plays by the state that the opponent is in.
 /// The minimised form, in the sense any_own_moves.

@@ -4,21 +4,8 @@
 
 #include <folk/analysis/replies/reply_problem.h>
 #include <folk/games/criterion.h>
-#include <folk/games/rational.h>
-
-#include <optional>
-#include <vector>
 
 namespace folk {
-
-/// A best move in every state of a reply problem, and what it is worth from there on.
-struct StationaryReply {
-  std::vector<Move> moves;            ///< by state; C where both are as good
-  std::vector<double> values;         ///< by state, in the criterion's unit (mean: a round)
-  double residual = 0;                ///< no reply earns more than values + residual anywhere
-  std::optional<Rational> optimum;    ///< from the start on: exact, and proved to be the best; set without chance
-  std::vector<Rational> exact_means;  ///< without chance and for mean: the best mean from each state on
-};
 
 /// The best reply under discounted, mean or ending.
 ///

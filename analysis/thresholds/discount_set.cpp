@@ -1,4 +1,5 @@
 #include <folk/analysis/thresholds/discount_set.h>
+#include <folk/analysis/thresholds/minimal_polynomial.h>
 #include <folk/analysis/thresholds/root_isolation.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #include <folk/analysis/thresholds/minimal_polynomial.h>
+#include <folk/analysis/thresholds/root_isolation.h>
 
 #include <algorithm>
 #include <utility>
@@ -103,6 +104,36 @@ Polynomial without_roots_of_unity(const Polynomial& p) {
 
 Polynomial with_positive_lead(const Polynomial& p) { return p.leading() < 0 ? -p : p; }
 
+std::string decimal(const Integer& value, unsigned places) {
+  std::string digits = value.str();
+  if (digits.size() <= places) digits.insert(0, places + 1 - digits.size(), '0');
+  return digits.insert(digits.size() - places, ".");
+}
+
+/// True when `p` (squarefree) has a single root in the open interval.
+bool isolates(const Polynomial& p, const Rational& low, const Rational& high) {
+  RootIsolation found = isolate_roots(p, low, high);
+  const auto polynomial = std::make_shared<const Polynomial>(std::move(found.polynomial));
+  return std::count_if(found.roots.begin(), found.roots.end(), [&](const RootInterval& root) {
+           const AlgebraicNumber place =
+               root.low == root.high ? AlgebraicNumber(root.low) : AlgebraicNumber(polynomial, root.low, root.high);
+           return place > low && place < high;
+         }) == 1;
+}
+
+/// The decimal interval of the fewest places, two or more, that tells `number` from the other roots of `p`.
+std::string decimal_interval(AlgebraicNumber number, const Polynomial& p) {
+  Integer scale = 100;
+  for (unsigned places = 2;; ++places, scale *= 10) {
+    const auto floor = [&](const Rational& x) { return Integer(numerator(x) * scale / denominator(x)); };
+    // The number is irrational: it ends strictly between two decimals.
+    while (floor(number.low()) != floor(number.high())) number.refine();
+    const Integer below = floor(number.low());
+    if (isolates(p, Rational(below, scale), Rational(below + 1, scale)))
+      return "(" + decimal(below, places) + ", " + decimal(below + 1, places) + ")";
+  }
+}
+
 }  // namespace
 
 Polynomial minimal_polynomial(const AlgebraicNumber& number) {
@@ -119,6 +150,15 @@ Polynomial minimal_polynomial(const AlgebraicNumber& number) {
     if (vanishes_at(candidate, number)) return with_positive_lead(candidate);
   }
   return with_positive_lead(known);
+}
+
+std::string to_text(const AlgebraicNumber& number) {
+  if (number.is_rational()) {
+    const Integer below = denominator(number.low());
+    return numerator(number.low()).str() + (below == 1 ? "" : "/" + below.str());
+  }
+  const Polynomial simplest = minimal_polynomial(number);
+  return "root of " + to_text(simplest) + " in " + decimal_interval(number, simplest);
 }
 
 }  // namespace folk

@@ -1,7 +1,9 @@
 #pragma once
-// The simplest polynomial that an algebraic number is a root of.
+// The simplest polynomial that an algebraic number is a root of, and the number written by it.
 
 #include <folk/analysis/thresholds/algebraic_number.h>
+
+#include <string>
 
 namespace folk {
 
@@ -12,5 +14,9 @@ inline constexpr std::size_t most_minimal_degree = 10;
 /// reduction (Kannan, Lenstra & Lovasz 1988) and an exact check. Where none of degree `most_minimal_degree` or less is
 /// found: the number's polynomial without repeated factors and without roots of unity.
 Polynomial minimal_polynomial(const AlgebraicNumber& number);
+
+/// "1/2", or "root of 3 d^2 + d - 1 in (0.43, 0.44)": the minimal polynomial and a decimal interval in which it has no
+/// other root.
+std::string to_text(const AlgebraicNumber& number);
 
 }  // namespace folk

@@ -5,6 +5,8 @@
 // 'shape': (3, 4), }", then the numbers, the last index moving fastest. Source of the format: NumPy's documentation of
 // numpy.lib.format.
 
+#include <folk/sct/files/npy_number.h>
+
 #include <cstddef>
 #include <filesystem>
 #include <string>
@@ -12,9 +14,6 @@
 #include <vector>
 
 namespace folk::sct {
-
-/// The types of number that Folk reads and writes; their names in a file are <f4 <f8 <i4 <i8 |i1 |u1 |b1.
-enum class NpyType { float32, float64, int32, int64, int8, uint8, boolean };
 
 std::string_view to_string(NpyType type);
 

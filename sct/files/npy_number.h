@@ -1,12 +1,13 @@
 #pragma once
-// The C++ types of the numbers in .npy files.
-
-#include <folk/sct/files/npy_file.h>
+// The types of the numbers in .npy files, and their C++ types.
 
 #include <cstdint>
 #include <type_traits>
 
 namespace folk::sct {
+
+/// The types of number that Folk reads and writes; their names in a file are <f4 <f8 <i4 <i8 |i1 |u1 |b1.
+enum class NpyType { float32, float64, int32, int64, int8, uint8, boolean };
 
 /// Calls `with(zero)` with a zero of the type's own C++ type and returns what it returns; truth values are bytes.
 template <class With>

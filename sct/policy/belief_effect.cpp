@@ -1,7 +1,7 @@
 #include <folk/analysis/play/parallel.h>
+#include <folk/sct/data/recorded_play.h>
 #include <folk/sct/policy/belief_effect.h>
 #include <folk/sct/policy/sct_player.h>
-#include <folk/sct/training/aggregation.h>
 
 namespace folk::sct {
 namespace {

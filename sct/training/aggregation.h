@@ -34,14 +34,4 @@ private:
   double target_;
 };
 
-/// Matches of a player against each member of a roster. Its moves slip with probability `slip`, the opponents' never
-/// do; slips of match r against member i are drawn from the key (seed, i, r).
-std::vector<Trajectory> play_and_record(const Strategy& player, const std::vector<Strategy>& roster,
-                                        const Payoffs& payoffs, std::uint64_t rounds, double slip,
-                                        std::uint64_t repetitions, std::uint64_t seed, unsigned threads = 1);
-
-/// The best reply to each (deterministic) member, known in advance, played against it.
-std::vector<Trajectory> best_reply_data(const std::vector<Strategy>& roster, const Payoffs& payoffs,
-                                        std::uint64_t rounds);
-
 }  // namespace folk::sct

@@ -1,4 +1,5 @@
 #include <folk/games/error.h>
+#include <folk/sct/data/recorded_play.h>
 #include <folk/sct/policy/sct_player.h>
 #include <folk/sct/training/training_run.h>
 #include <folk/sct/training/validation.h>

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 #include <folk/games/error.h>
-#include <folk/strategies/registry.h>
+#include <folk/strategies/names.h>
 #include <folk/strategies/standard/memory_machine.h>
 
 #include <algorithm>

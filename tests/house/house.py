@@ -7,8 +7,20 @@ from pathlib import Path
 
 # Each library may use itself and those to its left.
 LIBRARIES = ["games", "strategies", "analysis", "sct", "mpe"]
-# The wings of a library: each may use itself and those of earlier lines, not its neighbours on the same line.
-WINGS = {"mpe": [["world"], ["network"], ["players"], ["evaluation"], ["online", "data", "pictures"], ["offline"], ["study"]]}
+# The wings of a folder: each may use itself and those of earlier lines, not its neighbours on the same line; "" is the
+# folder's own floor.
+WINGS = {
+    "games": [[""], ["stage_games"]],
+    "strategies": [[""], ["programs"], ["standard"]],
+    "analysis": [["play"], ["tournament", "replies", "thresholds", "beliefs", "folk_theorem"], ["classes"],
+                 ["evolution", "equilibria"], ["pictures"]],
+    "sct": [["files"], ["network"], ["data"], ["policy"], ["training"]],
+    "mpe": [["world"], ["network"], ["players"], ["evaluation"], ["online", "data", "pictures"], ["offline"], ["study"]],
+    "tools": [["program"], ["choices"],
+              ["ipd_match", "ipd_strategies", "ipd_tournament", "strategy_graph", "sct_train", "payoff_region",
+               "sce_check", "mpe_train", "mpe_evaluate"]],
+}
+MOST_UNITS = 20  # of a folder; a unit is a header with its source
 # Folders that may include any library, but no other folder of this list except their own.
 LEAVES = ["tools", "tests", "bench", "examples"]
 NAMELESS = {"util", "utils", "utility", "utilities", "common", "core", "misc", "helpers"}
@@ -83,21 +95,83 @@ def check_includes(root):
                 yield f"{where}: {folder} includes {target}: the arrows run {' <- '.join(LIBRARIES)}"
 
 
+def folk_includes(text):
+    """(line number, path without suffix) of each <folk/...> include."""
+    for number, line in numbered(without_comments(text)):
+        match = re.match(r"\s*#\s*include\s*<folk/([\w/]+)\.h>", line)
+        if match:
+            yield number, match.group(1)
+
+
+def wing_of(unit):
+    parts = unit.split("/")
+    return parts[1] if len(parts) > 2 else ""
+
+
 def check_wings(root):
     for path, text in source_files(root):
         wings = WINGS.get(path.parts[0])
         if wings is None:
             continue
+        order = " <- ".join("|".join(name or path.parts[0] for name in names) for names in wings)
         floors = {wing: floor for floor, names in enumerate(wings) for wing in names}
-        if len(path.parts) < 3 or path.parts[1] not in floors:
-            yield f"{path}: {path.parts[0]} has the wings {' <- '.join('|'.join(names) for names in wings)}: put it into one"
+        wing = wing_of(path.with_suffix("").as_posix())
+        if wing not in floors:
+            yield f"{path}: {path.parts[0]} has the wings {order}: put it into one"
             continue
-        for number, line in numbered(without_comments(text)):
-            match = re.match(rf"\s*#\s*include\s*<folk/{path.parts[0]}/(\w+)/", line)
-            target = match.group(1) if match else path.parts[1]
-            if target != path.parts[1] and floors.get(target, len(wings)) >= floors[path.parts[1]]:
-                yield (f"{path}:{number}: {path.parts[1]} includes {target}: the arrows run "
-                       f"{' <- '.join('|'.join(names) for names in wings)}")
+        for number, included in folk_includes(text):
+            target = wing_of(included) if included.split("/")[0] == path.parts[0] else wing
+            if target != wing and floors.get(target, len(wings)) >= floors[wing]:
+                yield f"{path}:{number}: {wing or path.parts[0]} includes {target or path.parts[0]}: the arrows run {order}"
+
+
+def check_circles(root):
+    """No unit, a header with its source, includes itself through others."""
+    graph = {}
+    for path, text in source_files(root):
+        if path.parts[0] in (*LIBRARIES, "tools"):
+            unit = path.with_suffix("").as_posix()
+            graph.setdefault(unit, set()).update(included for _, included in folk_includes(text) if included != unit)
+    done, walk = set(), []
+
+    def visit(unit):
+        if unit in walk:
+            yield " -> ".join([*walk[walk.index(unit):], unit]) + ": units include each other in a circle"
+        elif unit not in done:
+            walk.append(unit)
+            for included in sorted(graph.get(unit, ())):
+                yield from visit(included)
+            walk.pop()
+            done.add(unit)
+
+    for unit in sorted(graph):
+        yield from visit(unit)
+
+
+def check_sizes(root):
+    units = {}
+    for path, _ in source_files(root):
+        units.setdefault(path.parent, set()).add(path.stem)
+    for folder, names in sorted(units.items()):
+        if len(names) > MOST_UNITS:
+            yield f"{folder}: {len(names)} units, at most {MOST_UNITS} find room: open another"
+
+
+def check_tests(root):
+    """A test stands at the path of what it tests: a unit of its name, or one of that folder which it includes."""
+    units = {path.with_suffix("").as_posix() for path, _ in source_files(root) if path.parts[0] in LIBRARIES}
+    for path, text in source_files(root):
+        if path.parts[:1] != ("tests",) or path.parts[1] not in LIBRARIES or not path.stem.endswith("_test"):
+            continue
+        folder = Path(*path.parts[1:]).parent
+        name = path.stem.removesuffix("_test")
+        homes = sorted(unit for unit in units if unit.split("/")[0] == path.parts[1] and Path(unit).name == name)
+        if homes:
+            if (folder / name).as_posix() not in homes:
+                yield f"{path}: {homes[0]} is what it tests: it stands at tests/{homes[0]}_test.cpp"
+        elif not any(Path(included).parent == folder for _, included in folk_includes(text)) and not re.search(
+                rf'#\s*include\s*["<]{folder.as_posix()}/', text):
+            yield f"{path}: includes nothing of {folder}: it stands where what it tests stands"
 
 
 def linked_folders(cmake_text):
@@ -156,7 +230,8 @@ def check_library_code(root):
                     yield f"{path}:{number}: library code {deed}: {match.group(0).strip()}"
 
 
-CHECKS = [check_includes, check_wings, check_links, check_folders, check_headers, check_library_code]
+CHECKS = [check_includes, check_wings, check_circles, check_sizes, check_tests, check_links, check_folders, check_headers,
+          check_library_code]
 
 
 def violations(root):

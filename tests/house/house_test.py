@@ -24,7 +24,8 @@ IN_ORDER = {
     "mpe/online/learner.h": HEADER + "#include <folk/mpe/players/player.h>\n",
     "mpe/data/data_set.h": HEADER,
     "tools/program/program.h": HEADER + "#include <folk/analysis/tournament/tournament.h>\n",
-    "tools/main.cpp": '#include <folk/analysis/tournament/tournament.h>\n#include "program.h"\nint main() { std::cout << 1; }\n',
+    "tools/ipd_match/main.cpp": "#include <folk/tools/program/program.h>\nint main() { std::cout << 1; }\n",
+    "tests/mpe/world/batch_test.cpp": "#include <folk/mpe/world/batch.h>\n",
     "build/games/core/wrong.h": "#include <folk/tools/program/program.h>\n",
 }
 
@@ -62,9 +63,31 @@ class HouseTest(unittest.TestCase):
         self.assert_one({"mpe/wrong.cpp": ""}, "mpe/wrong.cpp: mpe has the wings")
         self.assert_one({"mpe/misplaced/wrong.cpp": ""}, "mpe/misplaced/wrong.cpp: mpe has the wings")
 
+    def test_an_include_from_a_room_down_to_its_own_floor_and_not_up(self):
+        self.assertEqual(found_with({"games/stage_games/nfg.h": HEADER + "#include <folk/games/move.h>\n"}), [])
+        self.assert_one({"games/stage_games/nfg.h": HEADER, "games/wrong.cpp": "#include <folk/games/stage_games/nfg.h>\n"},
+                        "games/wrong.cpp:1: games includes stage_games: the arrows run games <- stage_games")
+
+    def test_units_in_a_circle(self):
+        self.assert_one({"games/move.h": HEADER, "games/a.h": HEADER, "games/a.cpp": "#include <folk/games/b.h>\n",
+                         "games/b.h": HEADER + "#include <folk/games/c.h>\n", "games/c.h": HEADER + "#include <folk/games/a.h>\n"},
+                        "games/a -> games/b -> games/c -> games/a: units include each other")
+
+    def test_a_folder_that_is_full(self):
+        full = {f"games/a{i}.h": HEADER for i in range(19)} | {"games/a1.cpp": ""}
+        self.assertEqual(found_with(full), [])
+        self.assert_one(full | {"games/z.cpp": ""}, "games: 21 units, at most 20")
+
+    def test_a_test_that_stands_elsewhere(self):
+        self.assert_one({"tests/mpe/online/batch_test.cpp": "#include <folk/mpe/world/batch.h>\n"},
+                        "tests/mpe/online/batch_test.cpp: mpe/world/batch is what it tests")
+        self.assert_one({"tests/mpe/online/golden_test.cpp": "#include <folk/mpe/world/batch.h>\n"},
+                        "tests/mpe/online/golden_test.cpp: includes nothing of mpe/online")
+        self.assertEqual(found_with({"tests/mpe/world/golden_test.cpp": "#include <folk/mpe/world/batch.h>\n"}), [])
+
     def test_a_library_that_includes_a_tool(self):
-        self.assert_one({"analysis/wrong.cpp": "\n#include <folk/tools/program/program.h>\n"},
-                        "analysis/wrong.cpp:2: analysis includes tools")
+        self.assert_one({"analysis/play/wrong.cpp": "\n#include <folk/tools/program/program.h>\n"},
+                        "analysis/play/wrong.cpp:2: analysis includes tools")
 
     def test_a_commented_include_is_none(self):
         self.assertEqual(found_with({"games/a.cpp": "// #include <folk/analysis/tournament/tournament.h>\n"}), [])
@@ -73,10 +96,10 @@ class HouseTest(unittest.TestCase):
         self.assert_one({"strategies/wrong.cpp": '#include "player.h"\n'}, "form <folk/FOLDER/FILE.h>")
 
     def test_a_quoted_folk_path_in_a_tool(self):
-        self.assert_one({"tools/wrong.cpp": '#include "folk/games/move.h"\n'}, "write <folk/games/move.h>")
+        self.assert_one({"tools/program/wrong.cpp": '#include "folk/games/move.h"\n'}, "write <folk/games/move.h>")
 
     def test_an_include_of_nothing(self):
-        self.assert_one({"tools/wrong.cpp": "#include <folk/games/gone.h>\n"}, "does not exist")
+        self.assert_one({"tools/program/wrong.cpp": "#include <folk/games/gone.h>\n"}, "does not exist")
 
     def test_a_link_against_the_arrows(self):
         self.assert_one({"games/CMakeLists.txt": "folk_library(games PRIVATE_DEPENDS folk::analysis)"},
@@ -88,10 +111,10 @@ class HouseTest(unittest.TestCase):
 
     def test_a_folder_without_a_meaning(self):
         for name in ("util", "common", "core", "misc"):
-            self.assert_one({f"games/{name}/a.h": HEADER}, "its first user")
+            self.assert_one({f"bench/{name}/a.h": HEADER}, "its first user")
 
     def test_a_header_without_pragma_once(self):
-        self.assert_one({"tools/wrong.h": "// What it is.\n"}, "#pragma once")
+        self.assert_one({"tools/program/wrong.h": "// What it is.\n"}, "#pragma once")
 
     def test_a_header_without_its_opening_comment(self):
         self.assert_one({"games/wrong.h": "#pragma once\n\nint f();\n"}, "comment at its top")

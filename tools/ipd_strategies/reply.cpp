@@ -1,3 +1,4 @@
+#include <folk/analysis/play/criterion_table.h>
 #include <folk/tools/ipd_strategies/reply.h>
 
 #include <folk/tools/choices/chosen_machine.h>

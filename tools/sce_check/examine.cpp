@@ -1,5 +1,6 @@
 // Answers the question of sce-check, opponent by opponent.
 
+#include <folk/analysis/play/criterion_table.h>
 #include <folk/tools/sce_check/report.h>
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+#include <folk/sct/data/recorded_play.h>
 #include <folk/tools/sct_train/data.h>
 
 #include <fmt/format.h>

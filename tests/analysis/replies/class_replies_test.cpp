@@ -1,4 +1,5 @@
 #include <folk/analysis/equilibria/equilibrium_check.h>
+#include <folk/analysis/play/criterion_table.h>
 #include <folk/analysis/replies/class_replies.h>
 #include <folk/games/error.h>
 #include <folk/strategies/registry.h>

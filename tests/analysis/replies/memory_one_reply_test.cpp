@@ -3,6 +3,7 @@
 #include "analysis/play/naive.h"
 #include "games/expect_error.h"
 
+#include <folk/analysis/play/criterion_table.h>
 #include <folk/analysis/replies/best_reply.h>
 #include <folk/analysis/replies/memory_one_reply.h>
 #include <folk/strategies/memory_one.h>

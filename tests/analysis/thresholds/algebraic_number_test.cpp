@@ -1,4 +1,5 @@
 #include <folk/analysis/thresholds/algebraic_number.h>
+#include <folk/analysis/thresholds/minimal_polynomial.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

@@ -1,0 +1,70 @@
+#include <folk/analysis/replies/finite_best_reply.h>
+#include <folk/games/criterion.h>
+#include <folk/games/random.h>
+#include <folk/sct/data/recorded_play.h>
+
+#include <memory>
+#include <utility>
+
+namespace folk::sct {
+namespace {
+
+/// A match that is being recorded.
+struct Seat {
+  std::unique_ptr<Player> player;
+  std::unique_ptr<Player> opponent;
+  RandomStream slips;
+};
+
+}  // namespace
+
+std::vector<Trajectory> play_and_record(const Strategy& player, const std::vector<Strategy>& roster,
+                                        const Payoffs& payoffs, std::uint64_t rounds, double slip,
+                                        std::uint64_t repetitions, std::uint64_t seed, unsigned threads) {
+  constexpr std::uint64_t slip_role = 2;
+  const auto rewards = payoffs.numbers();
+  std::vector<Seat> seats;
+  std::vector<Trajectory> data;
+  std::vector<Player*> players;
+  for (std::size_t i = 0; i < roster.size(); ++i)
+    for (std::uint64_t r = 0; r < repetitions; ++r) {
+      seats.push_back({player.new_player(), roster[i].new_player(), RandomStream({seed, i, r, slip_role})});
+      seats.back().player->start({payoffs, Criterion::finite(rounds), {seed, i, r, 0}});
+      seats.back().opponent->start({payoffs, Criterion::finite(rounds), {seed, i, r, 1}});
+      players.push_back(seats.back().player.get());
+      data.push_back({player.name, roster[i].name, {}, {}, {}});
+    }
+  for (std::uint64_t t = 0; t < rounds; ++t) {
+    if (player.thinks_together) players.front()->think_together(players, threads);
+    for (std::size_t m = 0; m < seats.size(); ++m) {
+      Move own = seats[m].player->move();
+      const Move theirs = seats[m].opponent->move();
+      if (slip > 0 && seats[m].slips.chance(slip)) own = other(own);
+      data[m].add(own, theirs, rewards[outcome(own, theirs)]);
+      seats[m].player->observe(own, theirs);
+      seats[m].opponent->observe(theirs, own);
+    }
+  }
+  return data;
+}
+
+std::vector<Trajectory> best_reply_data(const std::vector<Strategy>& roster, const Payoffs& payoffs,
+                                        std::uint64_t rounds) {
+  const auto rewards = payoffs.numbers();
+  std::vector<Trajectory> data;
+  for (const auto& member : roster) {
+    const auto moves = FiniteBestReply(*member.machine, payoffs, rounds).moves();
+    const auto opponent = member.new_player();
+    opponent->start({payoffs, Criterion::finite(rounds), {}});
+    Trajectory trajectory{"best_reply", member.name, {}, {}, {}};
+    for (const Move own : moves) {
+      const Move theirs = opponent->move();
+      trajectory.add(own, theirs, rewards[outcome(own, theirs)]);
+      opponent->observe(theirs, own);
+    }
+    data.push_back(std::move(trajectory));
+  }
+  return data;
+}
+
+}  // namespace folk::sct
