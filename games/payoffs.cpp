@@ -63,8 +63,8 @@ Payoffs symmetric_payoffs(const StageGame& game) {
                      std::to_string(game.columns()) + ": a tournament takes symmetric 2x2 games");
   if (!game.is_symmetric())
     throw UsageError("game '" + excerpt(game.title()) + "' is not symmetric: a tournament takes symmetric 2x2 games");
-  return {game.payoff(Seat::row, 1, 0), game.payoff(Seat::row, 0, 0), game.payoff(Seat::row, 1, 1),
-          game.payoff(Seat::row, 0, 1)};
+  return {game.payoff(Seat::first, 1, 0), game.payoff(Seat::first, 0, 0), game.payoff(Seat::first, 1, 1),
+          game.payoff(Seat::first, 0, 1)};
 }
 
 }  // namespace folk

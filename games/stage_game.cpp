@@ -32,7 +32,7 @@ bool StageGame::is_symmetric() const {
   if (rows() != columns()) return false;
   for (std::size_t i = 0; i < rows(); ++i)
     for (std::size_t j = 0; j < columns(); ++j)
-      if (payoff(Seat::row, i, j) != payoff(Seat::column, j, i)) return false;
+      if (payoff(Seat::first, i, j) != payoff(Seat::second, j, i)) return false;
   return true;
 }
 

@@ -2,6 +2,7 @@
 // A finite two-player game in strategic form: what is played in each round of a repeated game.
 
 #include <folk/games/rational.h>
+#include <folk/games/seat.h>
 
 #include <array>
 #include <cstddef>
@@ -9,11 +10,6 @@
 #include <vector>
 
 namespace folk {
-
-/// The two seats of a game.
-enum class Seat : std::size_t { row = 0, column = 1 };
-
-constexpr Seat other(Seat seat) { return seat == Seat::row ? Seat::column : Seat::row; }
 
 /// Any finite two-player game with named actions and exact payoffs.
 class StageGame {
@@ -28,12 +24,12 @@ public:
   /// What its author says of it; .nfg files carry it.
   const std::string& comment() const { return comment_; }
   const std::array<std::string, 2>& players() const { return players_; }
-  const std::vector<std::string>& actions(Seat seat) const { return actions_[static_cast<std::size_t>(seat)]; }
+  const std::vector<std::string>& actions(Seat seat) const { return actions_[index(seat)]; }
   std::size_t rows() const { return actions_[0].size(); }
   std::size_t columns() const { return actions_[1].size(); }
 
   const Rational& payoff(Seat seat, std::size_t row, std::size_t column) const {
-    return payoffs_[row * columns() + column][static_cast<std::size_t>(seat)];
+    return payoffs_[row * columns() + column][index(seat)];
   }
 
   /// True when both seats have the same number of actions and payoff(row, i, j) = payoff(column, j, i) throughout.

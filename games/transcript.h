@@ -2,6 +2,7 @@
 // The moves of one match, two bits a round.
 
 #include <folk/games/move.h>
+#include <folk/games/seat.h>
 
 #include <array>
 #include <cstddef>
@@ -25,15 +26,16 @@ public:
   std::size_t rounds() const { return rounds_; }
   Move first(std::size_t round) const { return move_from_bit(outcome_at(round) >> 1); }
   Move second(std::size_t round) const { return move_from_bit(outcome_at(round)); }
+  Move move(Seat seat, std::size_t round) const { return seat == Seat::first ? first(round) : second(round); }
 
   /// How often each outcome occurred, the first player's move first: CC, CD, DC, DD.
   const std::array<std::uint64_t, 4>& counts() const { return counts_; }
 
-  /// The moves of one player as people write them: "CCDC". `seat` is 0 or 1.
-  std::string moves(int seat) const {
+  /// The moves of one player as people write them: "CCDC".
+  std::string moves(Seat seat) const {
     std::string text;
     text.reserve(rounds_);
-    for (std::size_t t = 0; t < rounds_; ++t) text += to_char(seat == 0 ? first(t) : second(t));
+    for (std::size_t t = 0; t < rounds_; ++t) text += to_char(move(seat, t));
     return text;
   }
 

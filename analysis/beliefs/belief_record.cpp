@@ -1,6 +1,7 @@
 #include <folk/analysis/beliefs/belief_record.h>
 #include <folk/analysis/play/group_play.h>
 #include <folk/games/error.h>
+#include <folk/games/seat.h>
 
 #include <fmt/format.h>
 
@@ -22,12 +23,12 @@ public:
         players_{policy.new_player(), opponent.new_player()} {}
 
   std::size_t opponent_number() const { return opponent_number_; }
-  Player& player(std::size_t seat) const { return *players_[seat]; }
+  Player& player(Seat seat) const { return *players_[index(seat)]; }
 
   void start(const Sampling& sampling, std::uint64_t repetition) {
-    for (std::uint64_t seat = 0; seat < 2; ++seat)
-      players_[seat]->start(
-          {sampling.payoffs, sampling.criterion, {sampling.seed, opponent_number_, repetition, seat}});
+    for (const Seat seat : both_seats)
+      player(seat).start(
+          {sampling.payoffs, sampling.criterion, {sampling.seed, opponent_number_, repetition, index(seat)}});
     if (machine_ != nullptr) state_ = machine_->start();
     match_.clear();
     match_.reserve(sampling.criterion.rounds());
@@ -35,11 +36,11 @@ public:
 
   void play_round() {
     BeliefRound round;
-    round.own = players_[0]->move();
-    round.theirs = players_[1]->move();
-    round.belief = players_[0]->belief();
-    players_[0]->observe(round.own, round.theirs);
-    players_[1]->observe(round.theirs, round.own);
+    round.own = player(Seat::first).move();
+    round.theirs = player(Seat::second).move();
+    round.belief = player(Seat::first).belief();
+    player(Seat::first).observe(round.own, round.theirs);
+    player(Seat::second).observe(round.theirs, round.own);
     if (machine_ != nullptr) {
       round.truth = machine_->cooperation(state_);
       state_ = machine_->next(state_, round.theirs, round.own);
@@ -70,13 +71,13 @@ public:
 
   void think(std::span<const std::unique_ptr<Table>> tables, unsigned threads) const {
     std::vector<Player*> policies;
-    for (const auto& table : tables) policies.push_back(&table->player(0));
+    for (const auto& table : tables) policies.push_back(&table->player(Seat::first));
     if (policy_thinks_) policies.front()->think_together(policies, threads);
     for (std::size_t first = 0; first < tables.size();) {
       const std::size_t opponent = tables[first]->opponent_number();
       std::vector<Player*> peers;
       for (; first < tables.size() && tables[first]->opponent_number() == opponent; ++first)
-        peers.push_back(&tables[first]->player(1));
+        peers.push_back(&tables[first]->player(Seat::second));
       const Strategy& strategy = opponents_[opponent];
       if (!strategy.machine && strategy.thinks_together) peers.front()->think_together(peers, threads);
     }

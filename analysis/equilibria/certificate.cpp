@@ -38,8 +38,8 @@ struct SideGap {
 
 std::vector<SideGap> asked(const PairGaps& gaps, Notion notion, Sides sides) {
   std::vector<SideGap> asked;
-  if (sides != Sides::second) asked.push_back({Seat::row, &gap_of(gaps.first, notion)});
-  if (sides != Sides::first) asked.push_back({Seat::column, &gap_of(gaps.second, notion)});
+  if (sides != Sides::second) asked.push_back({Seat::first, &gap_of(gaps.first, notion)});
+  if (sides != Sides::first) asked.push_back({Seat::second, &gap_of(gaps.second, notion)});
   return asked;
 }
 
@@ -104,7 +104,7 @@ std::optional<Certificate> judge(const PairGaps& gaps, Notion notion, Sides side
   if (open == nullptr) return certificate(worst->side, **worst->gap, Word::certified);
   Certificate result = certificate(worst->side, **worst->gap, Word::not_refuted);
   result.scope =
-      *open->gap ? scope_of(**open->gap) : fmt::format("{} side unknown", open->side == Seat::row ? "own" : "their");
+      *open->gap ? scope_of(**open->gap) : fmt::format("{} side unknown", open->side == Seat::first ? "own" : "their");
   return result;
 }
 

@@ -45,7 +45,7 @@ enum class Word {
 struct Certificate {
   Word word = Word::not_refuted;
   std::string scope;                         ///< not refuted: how far was looked ("depth 6")
-  Seat side = Seat::row;                     ///< whose gain the margin is: the side with the larger one
+  Seat side = Seat::first;                   ///< whose gain the margin is: the side with the larger one
   double margin = 0;                         ///< the largest gain; for beliefs the largest distance
   std::string margin_exact;                  ///< the same exactly, where it is known
   std::shared_ptr<const Automaton> reply{};  ///< the best reply that gains, where one does

@@ -102,7 +102,7 @@ void keep_least(std::optional<Gap>& least, Gap gap) {
 
 }  // namespace
 
-Rational mixed_minmax(const Payoffs& payoffs) { return minmax(stage_game(payoffs), Seat::row).mixed; }
+Rational mixed_minmax(const Payoffs& payoffs) { return minmax(stage_game(payoffs), Seat::first).mixed; }
 
 Gap unrestricted_gap(const PlayPath& path, const Payoffs& payoffs, const Criterion& criterion) {
   const PathPayoffs paid(path, payoffs, criterion);

@@ -5,7 +5,7 @@
 #include <folk/analysis/replies/flow.h>
 #include <folk/analysis/replies/stationary_reply.h>
 #include <folk/games/error.h>
-#include <folk/games/stage_game.h>
+#include <folk/games/seat.h>
 
 #include <fmt/format.h>
 
@@ -27,31 +27,31 @@ public:
   std::uint32_t next(std::size_t s, std::size_t o) const { return play_.node(s).next[in_play(o)]; }
   std::size_t outcome_in(std::size_t s) const { return in_play(play_.outcome_in(s)); }
   double own_cooperation(std::size_t s) const {
-    return seat_ == Seat::row ? play_.first_cooperation(s) : play_.second_cooperation(s);
+    return seat_ == Seat::first ? play_.first_cooperation(s) : play_.second_cooperation(s);
   }
   double their_cooperation(std::size_t s) const {
-    return seat_ == Seat::row ? play_.second_cooperation(s) : play_.first_cooperation(s);
+    return seat_ == Seat::first ? play_.second_cooperation(s) : play_.first_cooperation(s);
   }
   std::uint32_t their_state(std::size_t s) const {
-    return seat_ == Seat::row ? play_.node(s).second : play_.node(s).first;
+    return seat_ == Seat::first ? play_.node(s).second : play_.node(s).first;
   }
-  const Automaton& theirs() const { return seat_ == Seat::row ? play_.second() : play_.first(); }
+  const Automaton& theirs() const { return seat_ == Seat::first ? play_.second() : play_.first(); }
   std::array<double, 4> chances_in(std::size_t s) const {
     auto chances = play_.chances_in(s);
-    if (seat_ == Seat::column) std::swap(chances[1], chances[2]);
+    if (seat_ == Seat::second) std::swap(chances[1], chances[2]);
     return chances;
   }
 
   Witness witness(std::size_t s, Move deviation, const char* then) const {
     Witness witness{play_.history_to(s), deviation, then, {}};
-    if (seat_ == Seat::column)
+    if (seat_ == Seat::second)
       for (Round& round : witness.history) std::swap(round.own, round.theirs);
     return witness;
   }
 
 private:
   /// The seat's outcome as the play has it, and back.
-  std::size_t in_play(std::size_t o) const { return seat_ == Seat::row ? o : exchanged_outcome(o); }
+  std::size_t in_play(std::size_t o) const { return seat_ == Seat::first ? o : exchanged_outcome(o); }
 
   const JointPlay& play_;
   Seat seat_;
@@ -245,7 +245,7 @@ Gap finite_gap(const JointPlay& play, Seat seat, const std::vector<std::vector<b
     values.swap(earlier);
   }
   Witness witness{history_of(play, reached, largest.state, largest.round), largest.move, as_before, {}};
-  if (seat == Seat::column)
+  if (seat == Seat::second)
     for (Round& round : witness.history) std::swap(round.own, round.theirs);
   if (pure) return exact_gap(Rational(static_cast<std::int64_t>(largest.gain)) / whole.exact_scale, std::move(witness));
   return rounded_gap(largest.gain / whole.scale, rounding_of(payoffs, criterion), std::move(witness));
@@ -264,8 +264,8 @@ BothGaps subgame_perfect_gaps(const Automaton& first, const Automaton& second, c
   const JointPlay play(first, second, Sense::any_own_moves, most_joint_states);
   if (!criterion.is_finite()) {
     const bool pure = first.deterministic() && second.deterministic();
-    return {gap_without_end(Side(play, Seat::row), payoffs, criterion, pure),
-            gap_without_end(Side(play, Seat::column), payoffs, criterion, pure)};
+    return {gap_without_end(Side(play, Seat::first), payoffs, criterion, pure),
+            gap_without_end(Side(play, Seat::second), payoffs, criterion, pure)};
   }
   if (static_cast<double>(play.size()) * static_cast<double>(criterion.rounds()) > most_visits)
     throw UsageError(fmt::format("{} joint states over {} rounds: too many for subgame perfection, play fewer rounds",
@@ -275,8 +275,8 @@ BothGaps subgame_perfect_gaps(const Automaton& first, const Automaton& second, c
     throw UsageError(fmt::format("{} rounds at {} would score too much to count exactly: play fewer",
                                  criterion.rounds(), to_text(payoffs)));
   const auto reached = reached_after(play, criterion.rounds());
-  return {finite_gap(play, Seat::row, reached, payoffs, criterion),
-          finite_gap(play, Seat::column, reached, payoffs, criterion)};
+  return {finite_gap(play, Seat::first, reached, payoffs, criterion),
+          finite_gap(play, Seat::second, reached, payoffs, criterion)};
 }
 
 }  // namespace folk

@@ -30,7 +30,7 @@ struct Unit {
 };
 
 Unit unit_of(const StageGame& game, Seat seat) {
-  const auto axis = static_cast<std::size_t>(seat);
+  const std::size_t axis = index(seat);
   const auto pairs = payoff_pairs(game);
   const auto [least, most] =
       std::minmax_element(pairs.begin(), pairs.end(), [&](const auto& a, const auto& b) { return a[axis] < b[axis]; });
@@ -50,8 +50,8 @@ std::vector<Profile> profiles_of(const StageGame& game, const std::array<Unit, 2
   std::vector<Rational> best_in_row(game.rows());
   for (std::size_t i = 0; i < game.rows(); ++i)
     for (std::size_t j = 0; j < game.columns(); ++j) {
-      const Rational& row = game.payoff(Seat::row, i, j);
-      const Rational& column = game.payoff(Seat::column, i, j);
+      const Rational& row = game.payoff(Seat::first, i, j);
+      const Rational& column = game.payoff(Seat::second, i, j);
       if (i == 0 || row > best_in_column[j]) best_in_column[j] = row;
       if (j == 0 || column > best_in_row[i]) best_in_row[i] = column;
     }
@@ -59,8 +59,8 @@ std::vector<Profile> profiles_of(const StageGame& game, const std::array<Unit, 2
   std::vector<Profile> profiles;
   for (std::size_t i = 0; i < game.rows(); ++i)
     for (std::size_t j = 0; j < game.columns(); ++j) {
-      const Rational& row = game.payoff(Seat::row, i, j);
-      const Rational& column = game.payoff(Seat::column, i, j);
+      const Rational& row = game.payoff(Seat::first, i, j);
+      const Rational& column = game.payoff(Seat::second, i, j);
       profiles.push_back({{units[0].of(row), units[1].of(column)},
                           {weight * to_double((best_in_column[j] - row) / units[0].size),
                            weight * to_double((best_in_row[i] - column) / units[1].size)}});
@@ -213,8 +213,8 @@ EquilibriumSet pure_equilibrium_set(const StageGame& game, double discount) {
   require_small_for_region(game);
   EquilibriumSet result;
   result.discount = Criterion::discounted(discount).continuation();
-  const std::array<Unit, 2> units{unit_of(game, Seat::row), unit_of(game, Seat::column)};
-  const Pair minmax{units[0].of(pure_minmax(game, Seat::row)), units[1].of(pure_minmax(game, Seat::column))};
+  const std::array<Unit, 2> units{unit_of(game, Seat::first), unit_of(game, Seat::second)};
+  const Pair minmax{units[0].of(pure_minmax(game, Seat::first)), units[1].of(pure_minmax(game, Seat::second))};
   Iteration iteration(profiles_of(game, units, discount), minmax, discount);
   iteration.run(result);
   for (const Pair& corner : without_rounding(iteration.set()))

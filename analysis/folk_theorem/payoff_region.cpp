@@ -16,7 +16,7 @@ std::vector<Point<Rational>> payoff_pairs(const StageGame& game) {
   std::vector<Point<Rational>> pairs;
   for (std::size_t i = 0; i < game.rows(); ++i)
     for (std::size_t j = 0; j < game.columns(); ++j)
-      pairs.push_back({game.payoff(Seat::row, i, j), game.payoff(Seat::column, i, j)});
+      pairs.push_back({game.payoff(Seat::first, i, j), game.payoff(Seat::second, i, j)});
   return pairs;
 }
 
@@ -28,7 +28,7 @@ void require_small_for_region(const StageGame& game) {
 
 PayoffRegion payoff_region(const StageGame& game) {
   require_small_for_region(game);
-  PayoffRegion region{convex_hull(payoff_pairs(game)), {minmax(game, Seat::row), minmax(game, Seat::column)}, {}, {}};
+  PayoffRegion region{convex_hull(payoff_pairs(game)), {minmax(game, Seat::first), minmax(game, Seat::second)}, {}, {}};
   region.individually_rational = at_least(region.feasible, region.mixed_minmax());
   region.pure_individually_rational = at_least(region.feasible, region.pure_minmax());
   return region;

@@ -46,8 +46,8 @@ public:
       }
     first_payoff_.add(first);
     second_payoff_.add(second);
-    sum_.first_guesses += match.guesses(0);
-    sum_.second_guesses += match.guesses(1);
+    sum_.first_guesses += match.guesses(Seat::first);
+    sum_.second_guesses += match.guesses(Seat::second);
     ++matches_;
   }
 
@@ -123,8 +123,8 @@ std::vector<std::vector<Player*>> thinking_players(std::span<const std::unique_p
   std::vector<std::vector<Player*>> groups;
   for (const auto& match : matches) {
     if (match->rounds_left() == 0) continue;
-    for (std::size_t seat = 0; seat < 2; ++seat) {
-      const Strategy* strategy = seat == 0 ? match->contest().first : match->contest().second;
+    for (const Seat seat : both_seats) {
+      const Strategy* strategy = seat == Seat::first ? match->contest().first : match->contest().second;
       if (!thinks(*strategy)) continue;
       const auto place = std::find(strategies.begin(), strategies.end(), strategy) - strategies.begin();
       if (static_cast<std::size_t>(place) == strategies.size()) {

@@ -3,7 +3,6 @@
 
 #include <folk/games/criterion.h>
 #include <folk/games/payoffs.h>
-#include <folk/games/stage_game.h>
 #include <folk/strategies/equivalence.h>
 #include <folk/strategies/machine.h>
 

@@ -70,8 +70,7 @@ PlayedMatch::PlayedMatch(const Contest& contest, const Sampling& sampling)
 
 void PlayedMatch::start(std::uint64_t repetition) {
   const auto key = [&](std::uint64_t role) { return RandomKey{sampling_.seed, contest_.pair, repetition, role}; };
-  for (std::size_t seat = 0; seat < 2; ++seat)
-    players_[seat]->start({sampling_.payoffs, sampling_.criterion, key(seat)});
+  for (const Seat seat : both_seats) player(seat).start({sampling_.payoffs, sampling_.criterion, key(index(seat))});
   noise_.emplace(key(2));
   rounds_left_ = length_of_match(sampling_.criterion, contest_.once, key(3));
   weight_ = 1;
@@ -81,10 +80,11 @@ void PlayedMatch::start(std::uint64_t repetition) {
 
 void PlayedMatch::play_round() {
   play_match(
-      player(0), player(1), 1, [&] { return sampling_.noise > 0 && noise_->chance(sampling_.noise); },
+      player(Seat::first), player(Seat::second), 1,
+      [&] { return sampling_.noise > 0 && noise_->chance(sampling_.noise); },
       [&](Move a, Move b) {
-        judge_belief(0, b);
-        judge_belief(1, a);
+        judge_belief(Seat::first, b);
+        judge_belief(Seat::second, a);
         weights_[outcome(a, b)] += weight_;
       });
   weight_ *= continuation_;
@@ -97,15 +97,15 @@ OutcomeWeights PlayedMatch::weights() const {
   return scaled;
 }
 
-Guesses PlayedMatch::guesses(std::size_t seat) const {
-  return {guesses_[seat].right * scale_, guesses_[seat].all * scale_};
+Guesses PlayedMatch::guesses(Seat seat) const {
+  return {guesses_[index(seat)].right * scale_, guesses_[index(seat)].all * scale_};
 }
 
-void PlayedMatch::judge_belief(std::size_t seat, Move theirs) {
-  if (!may_believe_[seat]) return;
-  const auto belief = players_[seat]->belief();
+void PlayedMatch::judge_belief(Seat seat, Move theirs) {
+  if (!may_believe_[index(seat)]) return;
+  const auto belief = player(seat).belief();
   if (!belief) return;
-  guesses_[seat] += {likelier_move(*belief) == theirs ? weight_ : 0, weight_};
+  guesses_[index(seat)] += {likelier_move(*belief) == theirs ? weight_ : 0, weight_};
 }
 
 }  // namespace folk

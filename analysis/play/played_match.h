@@ -4,6 +4,7 @@
 #include <folk/analysis/play/pair_result.h>
 #include <folk/analysis/play/sampling.h>
 #include <folk/games/random.h>
+#include <folk/games/seat.h>
 #include <folk/strategies/strategy.h>
 
 #include <array>
@@ -42,14 +43,14 @@ public:
 
   void play_round();
 
-  Player& player(std::size_t seat) const { return *players_[seat]; }
+  Player& player(Seat seat) const { return *players_[index(seat)]; }
 
   /// Of the rounds played in this match.
   OutcomeWeights weights() const;
-  Guesses guesses(std::size_t seat) const;
+  Guesses guesses(Seat seat) const;
 
 private:
-  void judge_belief(std::size_t seat, Move theirs);
+  void judge_belief(Seat seat, Move theirs);
 
   Contest contest_;
   const Sampling& sampling_;

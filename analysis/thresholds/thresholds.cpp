@@ -20,7 +20,7 @@ struct Stakes {
 };
 
 Stakes stakes_of(const Payoffs& payoffs) {
-  const Rational least = minmax(stage_game(payoffs), Seat::row).mixed;
+  const Rational least = minmax(stage_game(payoffs), Seat::first).mixed;
   Integer scale = denominator(least);
   for (const Rational& payoff : payoffs.by_outcome()) scale = lcm(scale, denominator(payoff));
   Stakes stakes;
@@ -30,21 +30,21 @@ Stakes stakes_of(const Payoffs& payoffs) {
 }
 
 std::vector<Seat> seats(Sides sides) {
-  if (sides == Sides::both) return {Seat::row, Seat::column};
-  return {sides == Sides::first ? Seat::row : Seat::column};
+  if (sides == Sides::both) return {Seat::first, Seat::second};
+  return {sides == Sides::first ? Seat::first : Seat::second};
 }
 
 Move move_at(const Automaton& machine, std::uint32_t state) { return move_of(machine, state); }
 
 /// The outcome of a round as `seat` sees it; `o` is as the first machine sees it.
-std::size_t seen_by(Seat seat, std::size_t o) { return seat == Seat::row ? o : exchanged_outcome(o); }
+std::size_t seen_by(Seat seat, std::size_t o) { return seat == Seat::first ? o : exchanged_outcome(o); }
 
 /// The outcome, as the first machine sees it, after `seat` changes its move.
-std::size_t deviated(Seat seat, std::size_t o) { return o ^ (seat == Seat::row ? 2U : 1U); }
+std::size_t deviated(Seat seat, std::size_t o) { return o ^ (seat == Seat::first ? 2U : 1U); }
 
 Move move_of_seat(Seat seat, std::size_t o) { return move_from_bit(static_cast<unsigned>(seen_by(seat, o) >> 1U)); }
 
-Round round_of(std::size_t o) { return {move_of_seat(Seat::row, o), move_of_seat(Seat::column, o)}; }
+Round round_of(std::size_t o) { return {move_of_seat(Seat::first, o), move_of_seat(Seat::second, o)}; }
 
 /// A set that is cut by one deviation after another, and what each of the ends comes from.
 class Cutting {
@@ -261,7 +261,7 @@ std::optional<Threshold> nash(const Automaton& first, const Automaton& second, c
                               Sides sides, const ThresholdLimits& limits) {
   Cutting cutting;
   for (const Seat side : seats(sides))
-    if (!cut_to_best_replies(cutting, path, side, side == Seat::row ? second : first, stakes, limits))
+    if (!cut_to_best_replies(cutting, path, side, side == Seat::first ? second : first, stakes, limits))
       return std::nullopt;
   return std::move(cutting).result();
 }

@@ -3,7 +3,7 @@
 
 #include <folk/analysis/thresholds/discount_set.h>
 #include <folk/games/payoffs.h>
-#include <folk/games/stage_game.h>
+#include <folk/games/seat.h>
 #include <folk/strategies/automaton.h>
 #include <folk/strategies/equivalence.h>
 
@@ -22,7 +22,7 @@ struct Binding {
     best_reply  ///< it goes on with a best reply to the opponent
   };
 
-  Seat side = Seat::row;       ///< who deviates: row is the first machine
+  Seat side = Seat::first;     ///< who deviates: row is the first machine
   std::vector<Round> history;  ///< what was played before, as the first machine sees it
   Move deviation = Move::C;    ///< instead of the machine's own move
   Then then = Then::plan;

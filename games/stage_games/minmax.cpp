@@ -54,7 +54,7 @@ Rational guaranteed(const StageGame& game, Seat seat, const MixedAction& own) {
   for (std::size_t theirs = 0; theirs < opponents; ++theirs) {
     const MixedAction pure = pure_action(opponents, theirs);
     const Rational value =
-        expected_payoff(game, seat, seat == Seat::row ? MixedProfile{own, pure} : MixedProfile{pure, own});
+        expected_payoff(game, seat, seat == Seat::first ? MixedProfile{own, pure} : MixedProfile{pure, own});
     if (theirs == 0 || value < least) least = value;
   }
   return least;

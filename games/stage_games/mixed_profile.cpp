@@ -7,7 +7,7 @@ namespace folk {
 namespace {
 
 const Rational& payoff(const StageGame& game, Seat seat, std::size_t own, std::size_t theirs) {
-  return seat == Seat::row ? game.payoff(seat, own, theirs) : game.payoff(seat, theirs, own);
+  return seat == Seat::first ? game.payoff(seat, own, theirs) : game.payoff(seat, theirs, own);
 }
 
 void check(const StageGame& game, Seat seat, const MixedAction& mix) {
@@ -58,7 +58,7 @@ Rational largest_gain(const StageGame& game, Seat seat, const MixedProfile& prof
 }
 
 bool is_equilibrium(const StageGame& game, const MixedProfile& profile) {
-  return largest_gain(game, Seat::row, profile) == 0 && largest_gain(game, Seat::column, profile) == 0;
+  return largest_gain(game, Seat::first, profile) == 0 && largest_gain(game, Seat::second, profile) == 0;
 }
 
 Rational pure_minmax(const StageGame& game, Seat seat) {

@@ -16,7 +16,7 @@ struct MixedProfile {
   MixedAction row;
   MixedAction column;
 
-  const MixedAction& of(Seat seat) const { return seat == Seat::row ? row : column; }
+  const MixedAction& of(Seat seat) const { return seat == Seat::first ? row : column; }
 
   bool operator==(const MixedProfile&) const = default;
 };

@@ -211,7 +211,7 @@ StageGame read_nfg_file(const std::filesystem::path& path) { return read_nfg(rea
 
 std::string write_nfg(const StageGame& game, NfgForm form) {
   std::string text = "NFG 1 R " + quoted(game.title()) + ' ' + quoted_list(game.players()) + "\n\n{ " +
-                     quoted_list(game.actions(Seat::row)) + '\n' + quoted_list(game.actions(Seat::column)) + "\n}\n" +
+                     quoted_list(game.actions(Seat::first)) + '\n' + quoted_list(game.actions(Seat::second)) + "\n}\n" +
                      quoted(game.comment()) + "\n\n";
   const bool by_outcome = form == NfgForm::outcome;
   std::string indices;
@@ -219,8 +219,8 @@ std::string write_nfg(const StageGame& game, NfgForm form) {
   std::size_t outcomes = 0;
   for (std::size_t j = 0; j < game.columns(); ++j) {
     for (std::size_t i = 0; i < game.rows(); ++i) {
-      const std::string row = to_text(game.payoff(Seat::row, i, j));
-      const std::string column = to_text(game.payoff(Seat::column, i, j));
+      const std::string row = to_text(game.payoff(Seat::first, i, j));
+      const std::string column = to_text(game.payoff(Seat::second, i, j));
       auto out = std::back_inserter(text);
       if (by_outcome)
         fmt::format_to(out, "{{ \"\" {}, {} }}\n", row, column);

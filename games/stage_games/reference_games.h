@@ -21,7 +21,7 @@ struct ReferenceGame {
   std::vector<MixedProfile> equilibria;  ///< all Nash equilibria of the stage game, pure ones first
   std::array<Minmax, 2> minmax;          ///< by seat
 
-  const Minmax& minmax_of(Seat seat) const { return minmax[static_cast<std::size_t>(seat)]; }
+  const Minmax& minmax_of(Seat seat) const { return minmax[index(seat)]; }
 };
 
 /// prisoners_dilemma, stag_hunt, chicken, battle_of_the_sexes, matching_pennies, harmony, deadlock, abreu_sannikov.

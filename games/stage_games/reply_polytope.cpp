@@ -12,7 +12,7 @@ RationalMatrix own_payoffs(const StageGame& game, Seat seat, const Rational& rai
   for (std::size_t own = 0; own < payoffs.size(); ++own)
     for (std::size_t theirs = 0; theirs < payoffs[own].size(); ++theirs)
       payoffs[own][theirs] =
-          raise + (seat == Seat::row ? game.payoff(seat, own, theirs) : game.payoff(seat, theirs, own));
+          raise + (seat == Seat::first ? game.payoff(seat, own, theirs) : game.payoff(seat, theirs, own));
   return payoffs;
 }
 

@@ -27,8 +27,8 @@ constexpr std::size_t most_bases = 1'000'000;
 std::vector<Vertex> vertices_of(const StageGame& game, Seat seat) {
   const Seat replier = other(seat);
   const RationalMatrix payoffs = own_payoffs(game, replier, raise_to_positive(game, replier));
-  const std::size_t first_own = seat == Seat::row ? 0 : game.rows();
-  const std::size_t first_reply = seat == Seat::row ? game.rows() : 0;
+  const std::size_t first_own = seat == Seat::first ? 0 : game.rows();
+  const std::size_t first_reply = seat == Seat::first ? game.rows() : 0;
   std::vector<Vertex> found;
   for (auto& y : ReplyPolytope(payoffs).vertices(most_bases)) {
     const Rational sum = std::accumulate(y.begin(), y.end(), Rational(0));
@@ -66,8 +66,8 @@ StageEquilibria stage_equilibria(const StageGame& game) {
   if (actions > most_equilibrium_actions)
     throw UsageError("all equilibria are found for games of at most " + std::to_string(most_equilibrium_actions) +
                      " actions, both players' together: this one has " + std::to_string(actions));
-  const auto rows = vertices_of(game, Seat::row);
-  const auto columns = vertices_of(game, Seat::column);
+  const auto rows = vertices_of(game, Seat::first);
+  const auto columns = vertices_of(game, Seat::second);
   StageEquilibria found;
   found.degenerate = too_many_labels(rows) || too_many_labels(columns);
   for (const Vertex& row : rows)

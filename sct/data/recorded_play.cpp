@@ -10,7 +10,7 @@ namespace folk::sct {
 namespace {
 
 /// A match that is being recorded.
-struct Seat {
+struct Table {
   std::unique_ptr<Player> player;
   std::unique_ptr<Player> opponent;
   RandomStream slips;
@@ -23,26 +23,26 @@ std::vector<Trajectory> play_and_record(const Strategy& player, const std::vecto
                                         std::uint64_t repetitions, std::uint64_t seed, unsigned threads) {
   constexpr std::uint64_t slip_role = 2;
   const auto rewards = payoffs.numbers();
-  std::vector<Seat> seats;
+  std::vector<Table> tables;
   std::vector<Trajectory> data;
   std::vector<Player*> players;
   for (std::size_t i = 0; i < roster.size(); ++i)
     for (std::uint64_t r = 0; r < repetitions; ++r) {
-      seats.push_back({player.new_player(), roster[i].new_player(), RandomStream({seed, i, r, slip_role})});
-      seats.back().player->start({payoffs, Criterion::finite(rounds), {seed, i, r, 0}});
-      seats.back().opponent->start({payoffs, Criterion::finite(rounds), {seed, i, r, 1}});
-      players.push_back(seats.back().player.get());
+      tables.push_back({player.new_player(), roster[i].new_player(), RandomStream({seed, i, r, slip_role})});
+      tables.back().player->start({payoffs, Criterion::finite(rounds), {seed, i, r, 0}});
+      tables.back().opponent->start({payoffs, Criterion::finite(rounds), {seed, i, r, 1}});
+      players.push_back(tables.back().player.get());
       data.push_back({player.name, roster[i].name, {}, {}, {}});
     }
   for (std::uint64_t t = 0; t < rounds; ++t) {
     if (player.thinks_together) players.front()->think_together(players, threads);
-    for (std::size_t m = 0; m < seats.size(); ++m) {
-      Move own = seats[m].player->move();
-      const Move theirs = seats[m].opponent->move();
-      if (slip > 0 && seats[m].slips.chance(slip)) own = other(own);
+    for (std::size_t m = 0; m < tables.size(); ++m) {
+      Move own = tables[m].player->move();
+      const Move theirs = tables[m].opponent->move();
+      if (slip > 0 && tables[m].slips.chance(slip)) own = other(own);
       data[m].add(own, theirs, rewards[outcome(own, theirs)]);
-      seats[m].player->observe(own, theirs);
-      seats[m].opponent->observe(theirs, own);
+      tables[m].player->observe(own, theirs);
+      tables[m].opponent->observe(theirs, own);
     }
   }
   return data;

@@ -42,8 +42,8 @@ TEST(Match, PlaysWithoutNoise) {
   Scripted scripted{"CCD"};
   Echo echo;
   const Transcript transcript = played(scripted, echo, 7, NoNoise{});
-  EXPECT_EQ(transcript.moves(0), "CCDCCDC");
-  EXPECT_EQ(transcript.moves(1), "CCCDCCD");
+  EXPECT_EQ(transcript.moves(Seat::first), "CCDCCDC");
+  EXPECT_EQ(transcript.moves(Seat::second), "CCCDCCD");
   EXPECT_EQ(scripted.own, "CCDCCDC");
   EXPECT_EQ(scripted.theirs, "CCCDCCD");
 }
@@ -66,8 +66,8 @@ TEST(Match, NoiseFlipsAndBothLearnTheMoveReallyPlayed) {
     return slip;
   });
   EXPECT_TRUE(slips.empty());
-  EXPECT_EQ(transcript.moves(0), "CDCD");
-  EXPECT_EQ(transcript.moves(1), "DDCC");
+  EXPECT_EQ(transcript.moves(Seat::first), "CDCD");
+  EXPECT_EQ(transcript.moves(Seat::second), "DDCC");
   EXPECT_EQ(a.own, "CDCD");
   EXPECT_EQ(a.theirs, "DDCC");
   EXPECT_EQ(b.own, "DDCC");
@@ -79,8 +79,8 @@ TEST(Match, AnEchoAnswersTheFlippedMove) {
   Echo echo;
   int asked = 0;
   const Transcript transcript = played(always, echo, 3, [&] { return asked++ == 2; });  // the first player in round 1
-  EXPECT_EQ(transcript.moves(0), "CDC");
-  EXPECT_EQ(transcript.moves(1), "CCD");
+  EXPECT_EQ(transcript.moves(Seat::first), "CDC");
+  EXPECT_EQ(transcript.moves(Seat::second), "CCD");
 }
 
 TEST(Match, SameKeySameNoise) {
@@ -89,7 +89,7 @@ TEST(Match, SameKeySameNoise) {
     Scripted a{"CD"};
     Scripted b{"CCD"};
     const Transcript transcript = played(a, b, 500, [&] { return noise.chance(0.1); });
-    return transcript.moves(0) + transcript.moves(1);
+    return transcript.moves(Seat::first) + transcript.moves(Seat::second);
   };
   EXPECT_EQ(run(), run());
 }

@@ -61,7 +61,7 @@ RC_GTEST_PROP(Payoffs, TextAndGameAreReadBack, (std::array<Rational, 4> values))
   const StageGame game = stage_game(payoffs);
   RC_ASSERT(game.is_symmetric());
   RC_ASSERT(symmetric_payoffs(game) == payoffs);
-  RC_ASSERT(game.payoff(Seat::row, 1, 0) == payoffs.temptation);
+  RC_ASSERT(game.payoff(Seat::first, 1, 0) == payoffs.temptation);
 }
 
 TEST(Payoffs, TakesSymmetricTwoByTwoGamesOnly) {

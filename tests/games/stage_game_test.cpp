@@ -19,9 +19,9 @@ TEST(StageGame, FindsPayoffsByRowAndColumn) {
   const StageGame game = two_by_three();
   EXPECT_EQ(game.rows(), 2U);
   EXPECT_EQ(game.columns(), 3U);
-  EXPECT_EQ(game.actions(Seat::column), (std::vector<std::string>{"x", "y", "z"}));
-  EXPECT_EQ(game.payoff(Seat::row, 0, 2), 3);
-  EXPECT_EQ(game.payoff(Seat::column, 1, 0), 40);
+  EXPECT_EQ(game.actions(Seat::second), (std::vector<std::string>{"x", "y", "z"}));
+  EXPECT_EQ(game.payoff(Seat::first, 0, 2), 3);
+  EXPECT_EQ(game.payoff(Seat::second, 1, 0), 40);
 }
 
 TEST(StageGame, RefusesWhatIsNoGame) {
@@ -46,8 +46,8 @@ RC_GTEST_PROP(StageGame, SameGameIgnoresTitlesAndComments, (const StageGame& gam
   std::vector<std::array<Rational, 2>> payoffs;
   for (std::size_t i = 0; i < game.rows(); ++i)
     for (std::size_t j = 0; j < game.columns(); ++j)
-      payoffs.push_back({game.payoff(Seat::row, i, j), game.payoff(Seat::column, i, j)});
-  const std::array<std::vector<std::string>, 2> actions{game.actions(Seat::row), game.actions(Seat::column)};
+      payoffs.push_back({game.payoff(Seat::first, i, j), game.payoff(Seat::second, i, j)});
+  const std::array<std::vector<std::string>, 2> actions{game.actions(Seat::first), game.actions(Seat::second)};
   RC_ASSERT(game.same_game(StageGame("other", {"other", "names"}, actions, payoffs, "and comment")));
   payoffs.back()[1] += 1;
   RC_ASSERT(!game.same_game(StageGame(game.title(), game.players(), actions, payoffs)));

@@ -29,22 +29,22 @@ RC_GTEST_PROP(Transcript, SaysWhatAPlainListSays, (const std::vector<std::pair<b
     seconds += to_char(plain[t].second);
   }
   RC_ASSERT(transcript.counts() == counts);
-  RC_ASSERT(transcript.moves(0) == firsts);
-  RC_ASSERT(transcript.moves(1) == seconds);
+  RC_ASSERT(transcript.moves(Seat::first) == firsts);
+  RC_ASSERT(transcript.moves(Seat::second) == seconds);
 }
 
 TEST(Transcript, CrossesWords) {
   for (const std::size_t rounds : {31U, 32U, 33U, 64U, 65U}) {
     Transcript transcript;
     for (std::size_t t = 0; t < rounds; ++t) transcript.append(Move::C, t + 1 == rounds ? Move::C : Move::D);
-    EXPECT_EQ(transcript.moves(0), std::string(rounds, 'C'));
-    EXPECT_EQ(transcript.moves(1), std::string(rounds - 1, 'D') + 'C');
+    EXPECT_EQ(transcript.moves(Seat::first), std::string(rounds, 'C'));
+    EXPECT_EQ(transcript.moves(Seat::second), std::string(rounds - 1, 'D') + 'C');
   }
 }
 
 TEST(Transcript, StartsEmpty) {
   EXPECT_EQ(Transcript{}.rounds(), 0U);
-  EXPECT_EQ(Transcript{}.moves(0), "");
+  EXPECT_EQ(Transcript{}.moves(Seat::first), "");
 }
 
 }  // namespace

@@ -64,16 +64,16 @@ void write_csv(std::ostream& out, const MatchSettings& settings, const MatchReco
   const auto by_outcome = settings.game.payoffs.by_outcome();
   std::array<std::string, 4> texts;
   std::transform(by_outcome.begin(), by_outcome.end(), texts.begin(), number);
-  const auto belief = [&](std::size_t seat, std::size_t round) {
-    const auto& beliefs = record.beliefs[seat];
+  const auto belief = [&](Seat seat, std::size_t round) {
+    const auto& beliefs = record.beliefs[index(seat)];
     return beliefs.empty() || std::isnan(beliefs[round]) ? std::string() : fmt::format("{}", beliefs[round]);
   };
   out << "round,move1,move2,score1,score2,belief1,belief2\n";
   for (std::size_t t = 0; t < record.transcript.rounds(); ++t) {
-    const Move first = record.move(0, t);
-    const Move second = record.move(1, t);
+    const Move first = record.move(Seat::first, t);
+    const Move second = record.move(Seat::second, t);
     out << fmt::format("{},{},{},{},{},{},{}\n", t + 1, to_char(first), to_char(second), texts[outcome(first, second)],
-                       texts[outcome(second, first)], belief(0, t), belief(1, t));
+                       texts[outcome(second, first)], belief(Seat::first, t), belief(Seat::second, t));
   }
 }
 
@@ -83,26 +83,26 @@ void write_json(std::ostream& out, const MatchSettings& settings, const MatchRec
     text += fmt::format("{}\n  \"{}\": {}", text.size() > 1 ? "," : "", key, value);
   };
   const auto put_both = [&](std::string_view key, const auto& value_of_seat) {
-    put(key, fmt::format("[{}, {}]", value_of_seat(0), value_of_seat(1)));
+    put(key, fmt::format("[{}, {}]", value_of_seat(Seat::first), value_of_seat(Seat::second)));
   };
-  const std::array<std::vector<Rational>, 2> scores{running_scores(settings, record, 0),
-                                                    running_scores(settings, record, 1)};
-  const auto at = [](const auto& pair, int seat) -> const auto& { return pair[static_cast<std::size_t>(seat)]; };
-  put_both("players", [&](int seat) { return string_of(at(record.names, seat)); });
+  const std::array<std::vector<Rational>, 2> scores{running_scores(settings, record, Seat::first),
+                                                    running_scores(settings, record, Seat::second)};
+  const auto at = [](const auto& pair, Seat seat) -> const auto& { return pair[index(seat)]; };
+  put_both("players", [&](Seat seat) { return string_of(at(record.names, seat)); });
   put("game", string_of(settings.game.title));
   put("payoffs", payoffs_of(settings.game.payoffs));
   put("rounds", std::to_string(settings.rounds));
   put("noise", fmt::format("{}", settings.noise));
   put("seed", std::to_string(settings.seed));
-  put_both("moves", [&](int seat) { return string_of(record.transcript.moves(seat)); });
-  put_both("slips", [&](int seat) { return slips_of(at(record.slipped, seat)); });
-  put_both("scores", [&](int seat) { return number(at(scores, seat).back()); });
-  put_both("means", [&](int seat) { return number(at(scores, seat).back() / Rational(settings.rounds)); });
-  put_both("cooperation_rates", [&](int seat) { return fmt::format("{}", cooperation_rate(record, seat)); });
-  put_both("running_scores", [&](int seat) { return numbers_of(at(scores, seat)); });
+  put_both("moves", [&](Seat seat) { return string_of(record.transcript.moves(seat)); });
+  put_both("slips", [&](Seat seat) { return slips_of(at(record.slipped, seat)); });
+  put_both("scores", [&](Seat seat) { return number(at(scores, seat).back()); });
+  put_both("means", [&](Seat seat) { return number(at(scores, seat).back() / Rational(settings.rounds)); });
+  put_both("cooperation_rates", [&](Seat seat) { return fmt::format("{}", cooperation_rate(record, seat)); });
+  put_both("running_scores", [&](Seat seat) { return numbers_of(at(scores, seat)); });
   put("notes", notes_of(record.caveats));
-  put_both("beliefs", [&](int seat) { return beliefs_of(at(record.beliefs, seat)); });
-  put_both("belief_accuracy", [&](int seat) {
+  put_both("beliefs", [&](Seat seat) { return beliefs_of(at(record.beliefs, seat)); });
+  put_both("belief_accuracy", [&](Seat seat) {
     const auto accuracy = belief_accuracy(record, seat);
     return accuracy ? fmt::format("{}", *accuracy) : std::string("null");
   });

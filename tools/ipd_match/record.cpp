@@ -22,8 +22,8 @@ void drop_empty_beliefs(std::vector<double>& beliefs) {
 }
 
 /// The payoff of one seat in one round.
-Rational payoff(const std::array<Rational, 4>& by_outcome, const MatchRecord& record, int seat, std::size_t round) {
-  return by_outcome[outcome(record.move(seat, round), record.move(1 - seat, round))];
+Rational payoff(const std::array<Rational, 4>& by_outcome, const MatchRecord& record, Seat seat, std::size_t round) {
+  return by_outcome[outcome(record.move(seat, round), record.move(other(seat), round))];
 }
 
 }  // namespace
@@ -32,14 +32,14 @@ MatchRecord play_one(const MatchSettings& settings, const std::function<void(dou
   const Registry registry = standard_names(settings.policies);
   MatchRecord record;
   std::array<std::unique_ptr<Player>, 2> players;
-  for (std::size_t seat = 0; seat < 2; ++seat) {
-    const Strategy strategy = registry.make(settings.players[seat], settings.game.payoffs);
-    record.names[seat] = strategy.name;
+  for (const Seat seat : both_seats) {
+    const Strategy strategy = registry.make(settings.players[index(seat)], settings.game.payoffs);
+    record.names[index(seat)] = strategy.name;
     if (!strategy.caveat.empty() && std::count(record.caveats.begin(), record.caveats.end(), strategy.caveat) == 0)
       record.caveats.push_back(strategy.caveat);
-    players[seat] = strategy.new_player();
-    players[seat]->start(
-        {settings.game.payoffs, Criterion::finite(settings.rounds), RandomKey{settings.seed, 0, 0, seat}});
+    players[index(seat)] = strategy.new_player();
+    players[index(seat)]->start(
+        {settings.game.payoffs, Criterion::finite(settings.rounds), RandomKey{settings.seed, 0, 0, index(seat)}});
   }
   RandomStream noise(RandomKey{settings.seed, 0, 0, 2});
   std::size_t asked = 0;
@@ -58,7 +58,7 @@ MatchRecord play_one(const MatchSettings& settings, const std::function<void(dou
   return record;
 }
 
-std::vector<Rational> running_scores(const MatchSettings& settings, const MatchRecord& record, int seat) {
+std::vector<Rational> running_scores(const MatchSettings& settings, const MatchRecord& record, Seat seat) {
   const auto by_outcome = settings.game.payoffs.by_outcome();
   std::vector<Rational> scores;
   scores.reserve(record.transcript.rounds());
@@ -70,25 +70,25 @@ std::vector<Rational> running_scores(const MatchSettings& settings, const MatchR
   return scores;
 }
 
-double cooperation_rate(const MatchRecord& record, int seat) {
+double cooperation_rate(const MatchRecord& record, Seat seat) {
   const auto& counts = record.transcript.counts();
-  const std::uint64_t cooperations = counts[0] + (seat == 0 ? counts[1] : counts[2]);
+  const std::uint64_t cooperations = counts[0] + (seat == Seat::first ? counts[1] : counts[2]);
   return static_cast<double>(cooperations) / static_cast<double>(record.transcript.rounds());
 }
 
-std::optional<Move> expected_move(const MatchRecord& record, int seat, std::size_t round) {
-  const auto& beliefs = record.beliefs[static_cast<std::size_t>(seat)];
+std::optional<Move> expected_move(const MatchRecord& record, Seat seat, std::size_t round) {
+  const auto& beliefs = record.beliefs[index(seat)];
   if (beliefs.empty() || std::isnan(beliefs[round])) return std::nullopt;
   return likelier_move(beliefs[round]);
 }
 
-std::optional<double> belief_accuracy(const MatchRecord& record, int seat) {
-  if (record.beliefs[static_cast<std::size_t>(seat)].empty()) return std::nullopt;
+std::optional<double> belief_accuracy(const MatchRecord& record, Seat seat) {
+  if (record.beliefs[index(seat)].empty()) return std::nullopt;
   double right = 0;
   double told = 0;
   for (std::size_t t = 0; t < record.transcript.rounds(); ++t)
     if (const auto expected = expected_move(record, seat, t)) {
-      right += *expected == record.move(1 - seat, t) ? 1 : 0;
+      right += *expected == record.move(other(seat), t) ? 1 : 0;
       ++told;
     }
   return right / told;

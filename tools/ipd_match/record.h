@@ -3,6 +3,7 @@
 
 #include <folk/tools/choices/game_option.h>
 
+#include <folk/games/seat.h>
 #include <folk/games/transcript.h>
 #include <folk/sct/policy/sct_player.h>
 
@@ -34,9 +35,7 @@ struct MatchRecord {
   std::array<std::vector<bool>, 2> slipped;
   std::array<std::vector<double>, 2> beliefs;
 
-  Move move(int seat, std::size_t round) const {
-    return seat == 0 ? transcript.first(round) : transcript.second(round);
-  }
+  Move move(Seat seat, std::size_t round) const { return transcript.move(seat, round); }
 };
 
 /// Plays the match; tells `progress` the share of rounds that are done. Throws UsageError on an unknown strategy and
@@ -44,15 +43,15 @@ struct MatchRecord {
 MatchRecord play_one(const MatchSettings& settings, const std::function<void(double)>& progress);
 
 /// The sums of a seat's payoffs in the first 1, 2, ... rounds.
-std::vector<Rational> running_scores(const MatchSettings& settings, const MatchRecord& record, int seat);
+std::vector<Rational> running_scores(const MatchSettings& settings, const MatchRecord& record, Seat seat);
 
 /// The share of rounds in which the seat cooperated.
-double cooperation_rate(const MatchRecord& record, int seat);
+double cooperation_rate(const MatchRecord& record, Seat seat);
 
 /// The move that the seat held likelier for the other to play; nothing in a round without a belief.
-std::optional<Move> expected_move(const MatchRecord& record, int seat, std::size_t round);
+std::optional<Move> expected_move(const MatchRecord& record, Seat seat, std::size_t round);
 
 /// The share of expected moves that the other really played, nothing for a player without beliefs.
-std::optional<double> belief_accuracy(const MatchRecord& record, int seat);
+std::optional<double> belief_accuracy(const MatchRecord& record, Seat seat);
 
 }  // namespace folk::tools

@@ -31,17 +31,17 @@ std::size_t stdout_width() {
 char lower(char letter) { return letter == 'C' ? 'c' : 'd'; }
 
 /// A move; lower case where noise flipped it.
-char move_letter(const MatchRecord& record, int seat, std::size_t round) {
+char move_letter(const MatchRecord& record, Seat seat, std::size_t round) {
   const char letter = to_char(record.move(seat, round));
-  return record.slipped[static_cast<std::size_t>(seat)][round] ? lower(letter) : letter;
+  return record.slipped[index(seat)][round] ? lower(letter) : letter;
 }
 
 /// The move that was expected of the other; lower case where it was wrong.
-char belief_letter(const MatchRecord& record, int seat, std::size_t round) {
+char belief_letter(const MatchRecord& record, Seat seat, std::size_t round) {
   const auto expected = expected_move(record, seat, round);
   if (!expected) return '-';
   const char letter = to_char(*expected);
-  return *expected == record.move(1 - seat, round) ? letter : lower(letter);
+  return *expected == record.move(other(seat), round) ? letter : lower(letter);
 }
 
 /// C blue, D orange (a pair that the colour-blind tell apart), lower case underlined.
@@ -116,8 +116,8 @@ std::string ruler(const Page& page, std::size_t begin, std::size_t end) {
 std::string block(const Page& page, const MatchRecord& record, const std::array<std::vector<Rational>, 2>& scores,
                   std::size_t begin, std::size_t end) {
   std::string text = ruler(page, begin, end);
-  for (const int seat : {0, 1}) {
-    const auto s = static_cast<std::size_t>(seat);
+  for (const Seat seat : both_seats) {
+    const std::size_t s = index(seat);
     std::string moves;
     std::string beliefs;
     for (std::size_t t = begin; t < end; ++t) {
@@ -147,8 +147,8 @@ std::string summary(const MatchSettings& settings, const MatchRecord& record,
   std::vector<std::string> header{"", "score", "mean a round", "cooperation"};
   if (believing) header.emplace_back("beliefs right");
   Table table(header);
-  for (const int seat : {0, 1}) {
-    const auto s = static_cast<std::size_t>(seat);
+  for (const Seat seat : both_seats) {
+    const std::size_t s = index(seat);
     const Rational& score = scores[s].back();
     std::vector<std::string> row{record.names[s], to_text(score),
                                  fmt::format("{:.3f}", to_double(score / Rational(settings.rounds))),
@@ -167,8 +167,8 @@ std::string summary(const MatchSettings& settings, const MatchRecord& record,
 Sheet sheet_of_stdout() { return {stdout_width(), stdout_is_coloured()}; }
 
 void write_text(std::ostream& out, const MatchSettings& settings, const MatchRecord& record, const Sheet& sheet) {
-  const std::array<std::vector<Rational>, 2> scores{running_scores(settings, record, 0),
-                                                    running_scores(settings, record, 1)};
+  const std::array<std::vector<Rational>, 2> scores{running_scores(settings, record, Seat::first),
+                                                    running_scores(settings, record, Seat::second)};
   out << record.names[0] << " against " << record.names[1] << "\n"
       << fmt::format("{}, {}; {} rounds; noise {}; seed {}\n\n", settings.game.title, to_text(settings.game.payoffs),
                      settings.rounds, settings.noise, settings.seed);

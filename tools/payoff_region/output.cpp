@@ -50,7 +50,7 @@ std::string corners(std::size_t count) {
 }
 
 Point<Rational> payoffs_of(const StageGame& game, const MixedProfile& profile) {
-  return {expected_payoff(game, Seat::row, profile), expected_payoff(game, Seat::column, profile)};
+  return {expected_payoff(game, Seat::first, profile), expected_payoff(game, Seat::second, profile)};
 }
 
 std::string equilibria_text(const RegionReport& report) {
@@ -61,8 +61,8 @@ std::string equilibria_text(const RegionReport& report) {
   std::string text = fmt::format("stage equilibria: {}{}\n", extreme.size(), degenerate ? " extreme ones" : "");
   Table table({"", report.game.players()[0], report.game.players()[1], "payoffs"});
   for (const MixedProfile& profile : extreme)
-    table.add({is_pure(profile) ? "  pure" : "  mixed", mixture_text(profile.row, report.game.actions(Seat::row)),
-               mixture_text(profile.column, report.game.actions(Seat::column)),
+    table.add({is_pure(profile) ? "  pure" : "  mixed", mixture_text(profile.row, report.game.actions(Seat::first)),
+               mixture_text(profile.column, report.game.actions(Seat::second)),
                text_of(payoffs_of(report.game, profile))});
   text += table.text();
   if (degenerate) text += "  the game is degenerate: mixtures of these may be equilibria too, whole segments or more\n";
@@ -180,8 +180,8 @@ void write_text(std::ostream& out, const RegionReport& report) {
   out << fmt::format("feasible payoffs: {}\n{}\n", corners(region.feasible.size()), text_of(region.feasible));
   out << fmt::format("minmax point, pure:  {}\nminmax point, mixed: {}\n", text_of(region.pure_minmax()),
                      text_of(region.mixed_minmax()));
-  for (const Seat seat : {Seat::row, Seat::column}) {
-    const auto i = static_cast<std::size_t>(seat);
+  for (const Seat seat : both_seats) {
+    const std::size_t i = index(seat);
     out << fmt::format("  {} is held to {} by {}\n", players[i], text_of(region.minmax[i].mixed),
                        mixture_text(region.minmax[i].punishment, report.game.actions(other(seat))));
   }
@@ -207,8 +207,8 @@ void write_csv(std::ostream& out, const RegionReport& report) {
   out << "kind,first,second,row,column\n";
   if (report.equilibria)
     for (const MixedProfile& profile : report.equilibria->extreme)
-      exact_line("stage_equilibrium", mixture_text(profile.row, report.game.actions(Seat::row)),
-                 mixture_text(profile.column, report.game.actions(Seat::column)), payoffs_of(report.game, profile));
+      exact_line("stage_equilibrium", mixture_text(profile.row, report.game.actions(Seat::first)),
+                 mixture_text(profile.column, report.game.actions(Seat::second)), payoffs_of(report.game, profile));
   for (const auto& corner : region.feasible) exact_line("feasible", "", "", corner);
   exact_line("pure_minmax", "", "", region.pure_minmax());
   exact_line("mixed_minmax", "", "", region.mixed_minmax());
@@ -225,7 +225,7 @@ void write_json(std::ostream& out, const RegionReport& report) {
   const PayoffRegion& region = report.region;
   const Json object{{"game", report.title},
                     {"players", report.game.players()},
-                    {"actions", Json::array({report.game.actions(Seat::row), report.game.actions(Seat::column)})},
+                    {"actions", Json::array({report.game.actions(Seat::first), report.game.actions(Seat::second)})},
                     {"stage_equilibria", equilibria_json(report)},
                     {"feasible", json_of(region.feasible)},
                     {"minmax", minmax_json(region)},

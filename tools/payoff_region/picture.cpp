@@ -26,8 +26,8 @@ std::vector<PayoffRegionPlot::Outcome> outcomes_of(const StageGame& game) {
   if (game.rows() * game.columns() > most_named) return outcomes;
   for (std::size_t i = 0; i < game.rows(); ++i)
     for (std::size_t j = 0; j < game.columns(); ++j) {
-      const auto payoffs = numbers({game.payoff(Seat::row, i, j), game.payoff(Seat::column, i, j)});
-      const auto name = fmt::format("{}, {}", game.actions(Seat::row)[i], game.actions(Seat::column)[j]);
+      const auto payoffs = numbers({game.payoff(Seat::first, i, j), game.payoff(Seat::second, i, j)});
+      const auto name = fmt::format("{}, {}", game.actions(Seat::first)[i], game.actions(Seat::second)[j]);
       const auto same = std::find_if(outcomes.begin(), outcomes.end(),
                                      [&](const auto& outcome) { return outcome.payoffs == payoffs; });
       if (same != outcomes.end())

@@ -100,7 +100,7 @@ Json bindings_of(const std::optional<Threshold>& threshold) {
         continue;
       }
       const Binding& binding = threshold->bindings[end->constraint];
-      ends.push_back({{"side", binding.side == Seat::row ? "own" : "theirs"},
+      ends.push_back({{"side", binding.side == Seat::first ? "own" : "theirs"},
                       {"after", history_text(binding.history)},
                       {"deviation", std::string(1, to_char(binding.deviation))},
                       {"then", then_text(binding.then)}});
@@ -140,7 +140,7 @@ Json verdicts_of(const Verdicts& verdicts, const std::array<std::string, all_not
       continue;
     }
     object[name] = {{"word", verdict->text()},
-                    {"side", verdict->side == Seat::row ? "own" : "theirs"},
+                    {"side", verdict->side == Seat::first ? "own" : "theirs"},
                     {"margin", verdict->margin},
                     {"margin_exact", verdict->margin_exact.empty() ? Json(nullptr) : Json(verdict->margin_exact)},
                     {"witness", verdict->witness.empty() ? Json(nullptr) : Json(verdict->witness)},

@@ -46,8 +46,8 @@ Html gaps_of(const OpponentReport& report, const std::string& policy) {
   HtmlTable table({"what can be gained", "by", "gain", "how"}, {"claim", "name", "number", "long"});
   for (const Notion notion : all_notions) {
     if (notion == Notion::beliefs) continue;
-    for (const Seat side : {Seat::row, Seat::column}) {
-      const auto& gap = gap_of(side == Seat::row ? report.gaps.first : report.gaps.second, notion);
+    for (const Seat side : both_seats) {
+      const auto& gap = gap_of(side == Seat::first ? report.gaps.first : report.gaps.second, notion);
       if (!gap) continue;
       table.add({std::string(title_of(notion)), side_text(policy, report.opponent, side), gap_text(gap),
                  how_words(notion, *gap)});

@@ -50,8 +50,8 @@ std::string measure_text(const std::optional<double>& value) {
 }
 
 std::string side_text(const std::string& policy, const std::string& opponent, Seat side) {
-  if (policy == opponent) return side == Seat::row ? "the first" : "the second";
-  return side == Seat::row ? policy : opponent;
+  if (policy == opponent) return side == Seat::first ? "the first" : "the second";
+  return side == Seat::first ? policy : opponent;
 }
 
 std::string_view title_of(Notion notion) {
@@ -108,7 +108,7 @@ std::string margin_text(Notion notion, const Certificate& verdict) {
   const bool exact = !verdict.margin_exact.empty() && verdict.margin_exact.size() <= 20;
   const std::string margin = exact ? verdict.margin_exact : payoff_text(verdict.margin);
   if (notion == Notion::beliefs) return margin;
-  return verdict.margin > 0 ? fmt::format("{} ({})", margin, verdict.side == Seat::row ? "own" : "theirs") : margin;
+  return verdict.margin > 0 ? fmt::format("{} ({})", margin, verdict.side == Seat::first ? "own" : "theirs") : margin;
 }
 
 std::string path_words(const PlayPath& path, std::size_t most) {

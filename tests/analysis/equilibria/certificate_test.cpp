@@ -46,7 +46,7 @@ TEST(Certificate, ComparesGainsThatAreTooSmallForADouble) {
   for (int i = 0; i < 400; ++i) tiny /= 10;
   EXPECT_EQ(to_double(tiny), 0);
   EXPECT_EQ(verdict(nash_gaps(gap(tiny), gap(0))), "refuted");
-  EXPECT_EQ(judge(nash_gaps(gap(0), gap(tiny)), Notion::nash, Sides::both, 0)->side, Seat::column);
+  EXPECT_EQ(judge(nash_gaps(gap(0), gap(tiny)), Notion::nash, Sides::both, 0)->side, Seat::second);
   EXPECT_EQ(verdict(nash_gaps(gap(tiny), gap(0)), Sides::both, tiny), "certified");
 }
 

@@ -149,7 +149,7 @@ public:
   OuterApproximation(const StageGame& game, double discount, Directions directions)
       : discount_(discount),
         directions_(std::move(directions)),
-        threat_{to_double(pure_minmax(game, Seat::row)), to_double(pure_minmax(game, Seat::column))} {
+        threat_{to_double(pure_minmax(game, Seat::first)), to_double(pure_minmax(game, Seat::second))} {
     for (std::size_t i = 0; i < game.rows(); ++i)
       for (std::size_t j = 0; j < game.columns(); ++j) add_profile(game, i, j);
     most_ = supports(directions_, payoffs_);
@@ -173,11 +173,11 @@ private:
   static constexpr double room = 1e-10;
 
   void add_profile(const StageGame& game, std::size_t i, std::size_t j) {
-    Rational row = game.payoff(Seat::row, i, j);
-    Rational column = game.payoff(Seat::column, i, j);
+    Rational row = game.payoff(Seat::first, i, j);
+    Rational column = game.payoff(Seat::second, i, j);
     payoffs_.push_back({to_double(row), to_double(column)});
-    for (std::size_t k = 0; k < game.rows(); ++k) row = std::max(row, game.payoff(Seat::row, k, j));
-    for (std::size_t k = 0; k < game.columns(); ++k) column = std::max(column, game.payoff(Seat::column, i, k));
+    for (std::size_t k = 0; k < game.rows(); ++k) row = std::max(row, game.payoff(Seat::first, k, j));
+    for (std::size_t k = 0; k < game.columns(); ++k) column = std::max(column, game.payoff(Seat::second, i, k));
     deviations_.push_back({to_double(row), to_double(column)});
   }
 

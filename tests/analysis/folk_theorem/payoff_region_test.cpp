@@ -40,8 +40,8 @@ TEST(PayoffRegion, HoldsEveryEquilibrium) {
   for (const ReferenceGame& entry : reference_games()) {
     const PayoffRegion region = payoff_region(entry.game);
     for (const MixedProfile& profile : entry.equilibria) {
-      const Point<Rational> point{expected_payoff(entry.game, Seat::row, profile),
-                                  expected_payoff(entry.game, Seat::column, profile)};
+      const Point<Rational> point{expected_payoff(entry.game, Seat::first, profile),
+                                  expected_payoff(entry.game, Seat::second, profile)};
       Shape more = region.individually_rational;
       more.push_back(point);
       EXPECT_EQ(convex_hull(more), region.individually_rational) << entry.name;

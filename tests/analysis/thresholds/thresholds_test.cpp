@@ -52,7 +52,7 @@ public:
   }
 
   double nash(Seat side) const {
-    const Automaton& opponent = *machines_[side == Seat::row ? 1 : 0];
+    const Automaton& opponent = *machines_[side == Seat::first ? 1 : 0];
     std::vector<double> value(opponent.size(), 0.0);
     for (double left = 1; left > 1e-12; left *= d_)
       for (std::size_t y = 0; y < value.size(); ++y) {
@@ -83,7 +83,7 @@ private:
   }
 
   Move own_move(Seat side, std::size_t s) const {
-    return move_from_bit(static_cast<unsigned>(side == Seat::row ? planned(s) >> 1U : planned(s)));
+    return move_from_bit(static_cast<unsigned>(side == Seat::first ? planned(s) >> 1U : planned(s)));
   }
 
   std::size_t after(std::size_t s, std::size_t o) const {
@@ -93,19 +93,19 @@ private:
   }
 
   double payoff(Seat side, std::size_t o) const {
-    return payoff_[side == Seat::row ? o
-                                     : outcome(move_from_bit(static_cast<unsigned>(o)),
-                                               move_from_bit(static_cast<unsigned>(o >> 1U)))];
+    return payoff_[side == Seat::first ? o
+                                       : outcome(move_from_bit(static_cast<unsigned>(o)),
+                                                 move_from_bit(static_cast<unsigned>(o >> 1U)))];
   }
 
-  double worth(Seat side, std::size_t s) const { return worth_[side == Seat::row ? 0 : 1][s]; }
+  double worth(Seat side, std::size_t s) const { return worth_[side == Seat::first ? 0 : 1][s]; }
 
   /// All states at once, whether some history reaches them or not; the number of rounds doubles each time.
   void solve_plans() {
     const std::size_t n = machines_[0]->size() * columns_;
     for (std::size_t s = 0; s < n; ++s) next_.push_back(after(s, planned(s)));
-    for (const Seat side : {Seat::row, Seat::column}) {
-      std::vector<double>& value = worth_[side == Seat::row ? 0 : 1];
+    for (const Seat side : both_seats) {
+      std::vector<double>& value = worth_[side == Seat::first ? 0 : 1];
       for (std::size_t s = 0; s < n; ++s) value.push_back((1 - d_) * payoff(side, planned(s)));
     }
     std::vector<std::size_t> jump = next_;
@@ -122,12 +122,12 @@ private:
   }
 
   double one_shot_gain(Seat side, std::size_t s) const {
-    const std::size_t o = planned(s) ^ (side == Seat::row ? 2U : 1U);
+    const std::size_t o = planned(s) ^ (side == Seat::first ? 2U : 1U);
     return (1 - d_) * payoff(side, o) + d_ * worth(side, after(s, o)) - worth(side, s);
   }
 
   double punished_gain(Seat side, std::size_t s) const {
-    const std::size_t o = planned(s) ^ (side == Seat::row ? 2U : 1U);
+    const std::size_t o = planned(s) ^ (side == Seat::first ? 2U : 1U);
     return (1 - d_) * payoff(side, o) + d_ * mixed_minmax() - worth(side, s);
   }
 
@@ -158,7 +158,7 @@ Automaton machine(const std::string& name) {
 std::string plays(const Binding& binding) {
   std::string text;
   for (const Round& round : binding.history) text += {to_char(round.own), to_char(round.theirs), ' '};
-  return text + (binding.side == Seat::row ? "first " : "second ") + to_char(binding.deviation);
+  return text + (binding.side == Seat::first ? "first " : "second ") + to_char(binding.deviation);
 }
 
 struct Texts {
@@ -312,11 +312,11 @@ bool gains_nothing(double first, double second) { return std::max(first, second)
 
 void check_scan(const Case& pair, const Thresholds& found, const Rational& d) {
   const SlowGains slow(pair.first, pair.second, pair.payoffs, to_double(d));
-  EXPECT_EQ(found.nash->set.contains(d), gains_nothing(slow.nash(Seat::row), slow.nash(Seat::column)));
+  EXPECT_EQ(found.nash->set.contains(d), gains_nothing(slow.nash(Seat::first), slow.nash(Seat::second)));
   EXPECT_EQ(found.subgame_perfect->set.contains(d),
-            gains_nothing(slow.subgame_perfect(Seat::row), slow.subgame_perfect(Seat::column)));
+            gains_nothing(slow.subgame_perfect(Seat::first), slow.subgame_perfect(Seat::second)));
   EXPECT_EQ(found.self_confirming_unrestricted->set.contains(d),
-            gains_nothing(slow.self_confirming(Seat::row), slow.self_confirming(Seat::column)));
+            gains_nothing(slow.self_confirming(Seat::first), slow.self_confirming(Seat::second)));
 }
 
 bool is_subset(const Threshold& part, const Threshold& whole) {

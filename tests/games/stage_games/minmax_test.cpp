@@ -11,8 +11,6 @@ namespace {
 
 using test::expect_error;
 
-constexpr std::array both_seats{Seat::row, Seat::column};
-
 /// The two mixtures prove the value: neither more nor less can be had.
 bool proved(const StageGame& game, Seat seat, const Minmax& found) {
   return most_against(game, seat, found.punishment) == found.mixed &&
@@ -35,7 +33,7 @@ TEST(Minmax, MixesOverWhatHelps) {
   const StageGame game(
       "RPS", {"Row", "Column"}, {{{"R", "P", "S", "none"}, {"R", "P", "S"}}},
       {{0, 0}, {-1, 1}, {1, -1}, {1, -1}, {0, 0}, {-1, 1}, {-1, 1}, {1, -1}, {0, 0}, {-2, 0}, {-2, 0}, {-2, 0}});
-  const Minmax found = minmax(game, Seat::row);
+  const Minmax found = minmax(game, Seat::first);
   EXPECT_EQ(found.pure, 1);
   EXPECT_EQ(found.mixed, 0);
   EXPECT_EQ(found.punishment, (MixedAction{{1, 3}, {1, 3}, {1, 3}}));
@@ -44,15 +42,15 @@ TEST(Minmax, MixesOverWhatHelps) {
 
 // In the stag hunt mixing punishes as hard as Hare does, no harder.
 TEST(Minmax, IsPureWhereThatServes) {
-  const Minmax found = minmax(reference_game("stag_hunt").game, Seat::row);
+  const Minmax found = minmax(reference_game("stag_hunt").game, Seat::first);
   EXPECT_EQ(found.punishment, pure_action(2, 1));
   EXPECT_EQ(found.security, pure_action(2, 1));
 }
 
 TEST(Minmax, RefusesWhatIsNoMixture) {
   const StageGame& game = reference_game("chicken").game;
-  expect_error<UsageError>([&] { most_against(game, Seat::row, {1}); }, "1 probabilities for 2 actions");
-  expect_error<UsageError>([&] { guaranteed(game, Seat::column, {1, 1}); }, "add up to 2");
+  expect_error<UsageError>([&] { most_against(game, Seat::first, {1}); }, "1 probabilities for 2 actions");
+  expect_error<UsageError>([&] { guaranteed(game, Seat::second, {1, 1}); }, "add up to 2");
 }
 
 RC_GTEST_PROP(Minmax, PunishmentAndSecurityMeet, (const StageGame& game)) {

@@ -19,25 +19,25 @@ StageGame two_by_three() {
 TEST(MixedProfile, PaysTheAverage) {
   const StageGame game = two_by_three();
   const MixedProfile profile{{{1, 3}, {2, 3}}, {{1, 2}, 0, {1, 2}}};
-  EXPECT_EQ(action_payoffs(game, Seat::row, profile.column), (std::vector<Rational>{2, 5}));
-  EXPECT_EQ(action_payoffs(game, Seat::column, profile.row), (std::vector<Rational>{30, 40, 10}));
-  EXPECT_EQ(expected_payoff(game, Seat::row, profile), 4);
-  EXPECT_EQ(expected_payoff(game, Seat::column, profile), 20);
-  EXPECT_EQ(largest_gain(game, Seat::row, profile), 1);
-  EXPECT_EQ(largest_gain(game, Seat::column, profile), 20);
+  EXPECT_EQ(action_payoffs(game, Seat::first, profile.column), (std::vector<Rational>{2, 5}));
+  EXPECT_EQ(action_payoffs(game, Seat::second, profile.row), (std::vector<Rational>{30, 40, 10}));
+  EXPECT_EQ(expected_payoff(game, Seat::first, profile), 4);
+  EXPECT_EQ(expected_payoff(game, Seat::second, profile), 20);
+  EXPECT_EQ(largest_gain(game, Seat::first, profile), 1);
+  EXPECT_EQ(largest_gain(game, Seat::second, profile), 20);
   EXPECT_FALSE(is_equilibrium(game, profile));
   EXPECT_TRUE(is_equilibrium(game, {pure_action(2, 1), pure_action(3, 1)}));
 }
 
 TEST(MixedProfile, PureMinmaxBySeat) {
-  EXPECT_EQ(pure_minmax(two_by_three(), Seat::row), 4);      // held to b's payoff at x
-  EXPECT_EQ(pure_minmax(two_by_three(), Seat::column), 30);  // at a, against z
+  EXPECT_EQ(pure_minmax(two_by_three(), Seat::first), 4);    // held to b's payoff at x
+  EXPECT_EQ(pure_minmax(two_by_three(), Seat::second), 30);  // at a, against z
 }
 
 TEST(MixedProfile, RefusesWhatIsNoMixedAction) {
   const StageGame game = two_by_three();
   const auto payoff = [&](MixedAction row, MixedAction column) {
-    return [&game, profile = MixedProfile{row, column}] { expected_payoff(game, Seat::row, profile); };
+    return [&game, profile = MixedProfile{row, column}] { expected_payoff(game, Seat::first, profile); };
   };
   expect_error<UsageError>(payoff({1}, {1, 0, 0}), "1 probabilities for 2 actions");
   expect_error<UsageError>(payoff({1, 0}, {1, 0}), "2 probabilities for 3 actions");
@@ -51,9 +51,9 @@ RC_GTEST_PROP(MixedProfile, AnEquilibriumIsAProfileWithoutPureDeviations, (const
   const auto j = *rc::gen::inRange<std::size_t>(0, game.columns());
   bool stays = true;
   for (std::size_t k = 0; k < game.rows(); ++k)
-    stays = stays && game.payoff(Seat::row, k, j) <= game.payoff(Seat::row, i, j);
+    stays = stays && game.payoff(Seat::first, k, j) <= game.payoff(Seat::first, i, j);
   for (std::size_t k = 0; k < game.columns(); ++k)
-    stays = stays && game.payoff(Seat::column, i, k) <= game.payoff(Seat::column, i, j);
+    stays = stays && game.payoff(Seat::second, i, k) <= game.payoff(Seat::second, i, j);
   RC_ASSERT(is_equilibrium(game, {pure_action(game.rows(), i), pure_action(game.columns(), j)}) == stays);
 }
 

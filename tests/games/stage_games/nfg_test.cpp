@@ -61,9 +61,9 @@ TEST(Nfg, ReadsNumberedActions) {
       read_nfg("NFG 1 R \"Old\" { \"Player 1\" \"Player 2\" } { 3 2 }\n\n1 1 0 2 0 2 1 1 0 3 2 0 \n", "f");
   EXPECT_EQ(game.rows(), 3U);
   EXPECT_EQ(game.columns(), 2U);
-  EXPECT_EQ(game.actions(Seat::row), (std::vector<std::string>{"1", "2", "3"}));
-  EXPECT_EQ(game.payoff(Seat::row, 2, 1), 2);
-  EXPECT_EQ(game.payoff(Seat::column, 1, 1), 3);
+  EXPECT_EQ(game.actions(Seat::first), (std::vector<std::string>{"1", "2", "3"}));
+  EXPECT_EQ(game.payoff(Seat::first, 2, 1), 2);
+  EXPECT_EQ(game.payoff(Seat::second, 1, 1), 3);
   EXPECT_EQ(game.comment(), "");
 }
 
@@ -71,14 +71,14 @@ TEST(Nfg, OutcomesMayBeSharedNamedNullAndWithoutCommas) {
   const StageGame game = read_nfg(
       "NFG 1 D \"t\" { \"\" \"\" } { { \"\" \"x\" } { \"1\" \"\" } }\n{ { \"win\" 1.5 -2.5, } { \"\" 3e1,4 } } 2 0 1 1",
       "f");
-  EXPECT_EQ(game.actions(Seat::row), (std::vector<std::string>{"1", "x"}));
-  EXPECT_EQ(game.actions(Seat::column), (std::vector<std::string>{"1", "2"}));
-  EXPECT_EQ(game.payoff(Seat::row, 0, 0), 30);
-  EXPECT_EQ(game.payoff(Seat::column, 0, 0), 4);
-  EXPECT_EQ(game.payoff(Seat::row, 1, 0), 0);
-  EXPECT_EQ(game.payoff(Seat::column, 1, 0), 0);
-  EXPECT_EQ(game.payoff(Seat::row, 0, 1), Rational(3, 2));
-  EXPECT_EQ(game.payoff(Seat::column, 1, 1), Rational(-5, 2));
+  EXPECT_EQ(game.actions(Seat::first), (std::vector<std::string>{"1", "x"}));
+  EXPECT_EQ(game.actions(Seat::second), (std::vector<std::string>{"1", "2"}));
+  EXPECT_EQ(game.payoff(Seat::first, 0, 0), 30);
+  EXPECT_EQ(game.payoff(Seat::second, 0, 0), 4);
+  EXPECT_EQ(game.payoff(Seat::first, 1, 0), 0);
+  EXPECT_EQ(game.payoff(Seat::second, 1, 0), 0);
+  EXPECT_EQ(game.payoff(Seat::first, 0, 1), Rational(3, 2));
+  EXPECT_EQ(game.payoff(Seat::second, 1, 1), Rational(-5, 2));
 }
 
 TEST(Nfg, WhitespaceDoesNotMatter) {

@@ -23,14 +23,13 @@ TEST_P(ReferenceGames, EquilibriaHaveNoProfitableDeviation) {
 }
 
 TEST_P(ReferenceGames, PureMinmax) {
-  for (const Seat seat : {Seat::row, Seat::column})
-    EXPECT_EQ(pure_minmax(GetParam().game, seat), GetParam().minmax_of(seat).pure);
+  for (const Seat seat : both_seats) EXPECT_EQ(pure_minmax(GetParam().game, seat), GetParam().minmax_of(seat).pure);
 }
 
 // The punishment proves that the value is no larger, the security that it is no smaller.
 TEST_P(ReferenceGames, MixedMinmax) {
   const StageGame& game = GetParam().game;
-  for (const Seat seat : {Seat::row, Seat::column}) {
+  for (const Seat seat : both_seats) {
     const Minmax& minmax = GetParam().minmax_of(seat);
     const auto replies = action_payoffs(game, seat, minmax.punishment);
     EXPECT_EQ(*std::max_element(replies.begin(), replies.end()), minmax.mixed);
@@ -38,8 +37,8 @@ TEST_P(ReferenceGames, MixedMinmax) {
     std::optional<Rational> least;
     for (std::size_t theirs = 0; theirs < opponents; ++theirs) {
       const MixedAction pure = pure_action(opponents, theirs);
-      const Rational value = seat == Seat::row ? expected_payoff(game, seat, {minmax.security, pure})
-                                               : expected_payoff(game, seat, {pure, minmax.security});
+      const Rational value = seat == Seat::first ? expected_payoff(game, seat, {minmax.security, pure})
+                                                 : expected_payoff(game, seat, {pure, minmax.security});
       if (!least || value < *least) least = value;
     }
     EXPECT_EQ(least, minmax.mixed);
@@ -74,7 +73,7 @@ std::optional<MixedAction> indifference(const StageGame& game, Seat seat, const 
                                         const std::vector<std::size_t>& theirs) {
   const std::size_t n = own.size();
   const auto payoff = [&](std::size_t i, std::size_t j) {
-    return seat == Seat::row ? game.payoff(seat, i, j) : game.payoff(seat, j, i);
+    return seat == Seat::first ? game.payoff(seat, i, j) : game.payoff(seat, j, i);
   };
   // Unknowns: the n weights and the common payoff.
   Matrix m(n + 1, std::vector<Rational>(n + 2));
@@ -113,8 +112,8 @@ TEST_P(ReferenceGames, ThereIsNoOtherEquilibrium) {
   for (const auto& rows : supports(game.rows()))
     for (const auto& columns : supports(game.columns())) {
       if (rows.size() != columns.size()) continue;
-      const auto row = indifference(game, Seat::column, columns, rows);
-      const auto column = indifference(game, Seat::row, rows, columns);
+      const auto row = indifference(game, Seat::second, columns, rows);
+      const auto column = indifference(game, Seat::first, rows, columns);
       if (!row || !column || !is_equilibrium(game, {*row, *column})) continue;
       ++found;
       EXPECT_NE(std::find(known.begin(), known.end(), MixedProfile{*row, *column}), known.end());

@@ -90,7 +90,7 @@ StageGame random_game(std::mt19937& random, std::size_t number) {
 
 std::string as_lrs_input(const StageGame& game) {
   std::string text = std::to_string(game.rows()) + " " + std::to_string(game.columns()) + "\n";
-  for (const Seat seat : {Seat::row, Seat::column})
+  for (const Seat seat : both_seats)
     for (std::size_t i = 0; i < game.rows(); ++i)
       for (std::size_t j = 0; j < game.columns(); ++j)
         text += to_text(game.payoff(seat, i, j)) + (j + 1 < game.columns() ? " " : "\n");

@@ -171,8 +171,8 @@ TEST(ExecPlayer, PlaysAMatchWithAnotherProgram) {
   const auto second = started(always("D"));
   Transcript transcript;
   play_match(*first, *second, 50, NoNoise{}, [&](Move a, Move b) { transcript.append(a, b); });
-  EXPECT_EQ(transcript.moves(0), "C" + std::string(49, 'D'));
-  EXPECT_EQ(transcript.moves(1), std::string(50, 'D'));
+  EXPECT_EQ(transcript.moves(Seat::first), "C" + std::string(49, 'D'));
+  EXPECT_EQ(transcript.moves(Seat::second), std::string(50, 'D'));
 }
 
 TEST(ExecPlayer, HoldsTheBeliefOfTheLastMove) {
