@@ -4,6 +4,7 @@
 #include <folk/analysis/play/cycle_table.h>
 #include <folk/analysis/play/deterministic_play.h>
 #include <folk/analysis/tournament/tournament.h>
+#include <folk/games/outcome.h>
 #include <folk/strategies/registry.h>
 
 namespace folk {
@@ -41,7 +42,7 @@ void classics_round_by_round(benchmark::State& state) {
         for (std::uint64_t t = 0; t < rounds; ++t) {
           const Move own = move_of(a, x);
           const Move theirs = move_of(b, y);
-          ++counts[outcome(own, theirs)];
+          ++counts[Outcome{own, theirs}.index()];
           x = a.next(x, own, theirs);
           y = b.next(y, theirs, own);
         }

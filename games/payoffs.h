@@ -19,7 +19,7 @@ struct Payoffs {
   Rational punishment = 1;
   Rational sucker = 0;
 
-  /// By outcome index (games/move.h): CC = R, CD = S, DC = T, DD = P.
+  /// By outcome index (games/outcome.h): CC = R, CD = S, DC = T, DD = P.
   std::array<Rational, 4> by_outcome() const { return {reward, sucker, temptation, punishment}; }
 
   /// The same as the nearest doubles.

@@ -1,7 +1,7 @@
 #pragma once
 // The moves of one match, two bits a round.
 
-#include <folk/games/move.h>
+#include <folk/games/outcome.h>
 #include <folk/games/seat.h>
 
 #include <array>
@@ -18,15 +18,19 @@ public:
   void append(Move first, Move second) {
     const std::size_t shift = 2 * (rounds_ % 32);
     if (shift == 0) words_.push_back(0);
-    words_.back() |= static_cast<std::uint64_t>(outcome(first, second)) << shift;
+    const std::size_t outcome = Outcome{first, second}.index();
+    words_.back() |= std::uint64_t{outcome} << shift;
     ++rounds_;
-    ++counts_[outcome(first, second)];
+    ++counts_[outcome];
   }
 
   std::size_t rounds() const { return rounds_; }
-  Move first(std::size_t round) const { return move_from_bit(outcome_at(round) >> 1); }
-  Move second(std::size_t round) const { return move_from_bit(outcome_at(round)); }
+  Move first(std::size_t round) const { return outcome(round).own; }
+  Move second(std::size_t round) const { return outcome(round).theirs; }
   Move move(Seat seat, std::size_t round) const { return seat == Seat::first ? first(round) : second(round); }
+
+  /// What was played in a round, as the first player sees it.
+  Outcome outcome(std::size_t round) const { return all_outcomes[(words_[round / 32] >> (2 * (round % 32))) & 3U]; }
 
   /// How often each outcome occurred, the first player's move first: CC, CD, DC, DD.
   const std::array<std::uint64_t, 4>& counts() const { return counts_; }
@@ -40,10 +44,6 @@ public:
   }
 
 private:
-  unsigned outcome_at(std::size_t round) const {
-    return static_cast<unsigned>(words_[round / 32] >> (2 * (round % 32))) & 3U;
-  }
-
   std::vector<std::uint64_t> words_;
   std::array<std::uint64_t, 4> counts_{};
   std::size_t rounds_ = 0;

@@ -50,8 +50,8 @@ private:
 
 /// Successors of a node whose own move cannot occur repeat those of the move it plays.
 void fill_impossible(Automaton::Node& node, Sense sense) {
-  for (std::size_t o = 0; o < 4; ++o)
-    if (!possible(node.cooperation, o, sense)) node.next[o] = node.next[o ^ 2U];
+  for (const Outcome outcome : all_outcomes)
+    if (!possible(node.cooperation, outcome, sense)) node.next[outcome.index()] = node.next[outcome.deviated().index()];
 }
 
 /// The part of a machine that was reached: states[i] is the machine's own word for nodes[i].
@@ -83,10 +83,9 @@ Exploration explore(const Machine& machine, Sense sense, std::size_t most_states
     }
     const State state = numbers.states()[i];
     Automaton::Node node{machine.cooperation(state), {}};
-    for (std::size_t o = 0; o < 4; ++o)
-      if (possible(node.cooperation, o, sense))
-        node.next[o] = numbers.of(machine.next(state, move_from_bit(static_cast<unsigned>(o >> 1U)),
-                                               move_from_bit(static_cast<unsigned>(o))));
+    for (const Outcome outcome : all_outcomes)
+      if (possible(node.cooperation, outcome, sense))
+        node.next[outcome.index()] = numbers.of(machine.next(state, outcome.own, outcome.theirs));
     fill_impossible(node, sense);
     found.nodes.push_back(node);
   }

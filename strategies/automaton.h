@@ -1,6 +1,7 @@
 #pragma once
 // A finite machine as a dense table, and how any machine becomes one.
 
+#include <folk/games/outcome.h>
 #include <folk/strategies/machine.h>
 
 #include <array>
@@ -32,7 +33,9 @@ public:
 
   State start() const override { return start_; }
   double cooperation(State state) const override { return nodes_[state].cooperation; }
-  State next(State state, Move own, Move theirs) const override { return nodes_[state].next[outcome(own, theirs)]; }
+  State next(State state, Move own, Move theirs) const override {
+    return nodes_[state].next[Outcome{own, theirs}.index()];
+  }
   bool deterministic() const override { return deterministic_; }
 
   const std::vector<Node>& nodes() const { return nodes_; }
@@ -52,9 +55,9 @@ private:
   bool deterministic_ = true;
 };
 
-/// True when outcome `o` can follow a state with this P(C) in this sense.
-inline bool possible(double cooperation, std::size_t o, Sense sense) {
-  return sense == Sense::any_own_moves || (o < 2 ? cooperation > 0 : cooperation < 1);
+/// True when an outcome can follow a state with this P(C) in this sense.
+inline bool possible(double cooperation, Outcome outcome, Sense sense) {
+  return sense == Sense::any_own_moves || (outcome.own == Move::C ? cooperation > 0 : cooperation < 1);
 }
 
 /// The reachable states of a machine in breadth-first order (start first), or nothing when there are more than

@@ -1,7 +1,6 @@
 #include <folk/strategies/equivalence.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <unordered_set>
 
@@ -28,18 +27,15 @@ struct Visit {
   Pair states;
   std::size_t before;  ///< index of the visit it came from
   std::size_t rounds;  ///< length of the play that led here
-  Round round;         ///< the last round of that play
+  Outcome round;       ///< the last round of that play
 };
 
-std::vector<Round> play_to(const std::vector<Visit>& visits, std::size_t last) {
-  std::vector<Round> play;
+std::vector<Outcome> play_to(const std::vector<Visit>& visits, std::size_t last) {
+  std::vector<Outcome> play;
   for (std::size_t at = last; at != 0; at = visits[at].before) play.push_back(visits[at].round);
   std::reverse(play.begin(), play.end());
   return play;
 }
-
-constexpr std::array<Round, 4> all_rounds{
-    {{Move::C, Move::C}, {Move::C, Move::D}, {Move::D, Move::C}, {Move::D, Move::D}}};
 
 }  // namespace
 
@@ -63,14 +59,14 @@ Comparison compare(const Machine& a, const Machine& b, Sense sense, std::size_t 
   for (std::size_t at = 0; at < visits.size(); ++at) {
     const Visit here = visits[at];
     const double cooperation = a.cooperation(here.states.a);  // equal to b's
-    for (std::size_t o = 0; o < all_rounds.size(); ++o) {
-      if (!possible(cooperation, o, sense)) continue;
-      const auto [own, theirs] = all_rounds[o];
+    for (const Outcome round : all_outcomes) {
+      if (!possible(cooperation, round, sense)) continue;
+      const auto [own, theirs] = round;
       const Pair then{a.next(here.states.a, own, theirs), b.next(here.states.b, own, theirs)};
       if (known.contains(then)) continue;
       if (visits.size() >= most_pairs) return conclude(Verdict::undecided, here.rounds);
       known.insert(then);
-      visits.push_back({then, at, here.rounds + 1, all_rounds[o]});
+      visits.push_back({then, at, here.rounds + 1, round});
       if (!differ(visits.size() - 1)) continue;
       result.play = play_to(visits, visits.size() - 1);
       return conclude(Verdict::different, here.rounds + 1);

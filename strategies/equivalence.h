@@ -1,6 +1,7 @@
 #pragma once
 // Do two machines behave alike? Proved by walking their product, or refuted by the shortest play that separates them.
 
+#include <folk/games/outcome.h>
 #include <folk/strategies/automaton.h>
 #include <folk/strategies/machine.h>
 
@@ -8,14 +9,6 @@
 #include <vector>
 
 namespace folk {
-
-/// One round as seen by the machine that is being compared.
-struct Round {
-  Move own = Move::C;
-  Move theirs = Move::C;
-
-  bool operator==(const Round&) const = default;
-};
 
 /// What `compare` found.
 enum class Verdict {
@@ -26,11 +19,11 @@ enum class Verdict {
 
 struct Comparison {
   Verdict verdict = Verdict::undecided;
-  std::size_t pairs = 0;    ///< joint states that were reached
-  std::size_t depth = 0;    ///< every play of up to this many rounds was tried (different: the length of `play`)
-  std::vector<Round> play;  ///< when different: a shortest play after which the two answer differently
-  double first = 0;         ///< when different: P(C) of the first machine after `play`
-  double second = 0;        ///< and of the second
+  std::size_t pairs = 0;      ///< joint states that were reached
+  std::size_t depth = 0;      ///< every play of up to this many rounds was tried (different: the length of `play`)
+  std::vector<Outcome> play;  ///< when different: a shortest play, as they see it, after which they answer differently
+  double first = 0;           ///< when different: P(C) of the first machine after `play`
+  double second = 0;          ///< and of the second
 };
 
 /// Compares how two machines answer to everything that can happen to them.

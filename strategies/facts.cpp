@@ -1,3 +1,4 @@
+#include <folk/games/outcome.h>
 #include <folk/strategies/facts.h>
 
 #include <algorithm>
@@ -28,9 +29,11 @@ template <class Visit>
 void for_each_successor(const Automaton& automaton, Pair pair, Visit&& visit) {
   const auto& a = automaton.nodes()[pair.s];
   const auto& b = automaton.nodes()[pair.t];
-  for (std::size_t o = 0; o < 4; ++o)
-    if (possible(a.cooperation, o, own) && possible(b.cooperation, o, own) && a.next[o] != b.next[o])
+  for (const Outcome outcome : all_outcomes) {
+    const std::size_t o = outcome.index();
+    if (possible(a.cooperation, outcome, own) && possible(b.cooperation, outcome, own) && a.next[o] != b.next[o])
       visit(Pair{a.next[o], b.next[o]});
+  }
 }
 
 std::vector<Pair> all_pairs(std::size_t states) {

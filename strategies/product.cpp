@@ -1,3 +1,4 @@
+#include <folk/games/outcome.h>
 #include <folk/strategies/product.h>
 
 #include <unordered_map>
@@ -19,10 +20,10 @@ std::optional<std::vector<JointNode>> product(const Automaton& first, const Auto
     if (nodes.size() > most_states) return std::nullopt;
     const auto& a = first.nodes()[nodes[i].first];
     const auto& b = second.nodes()[nodes[i].second];
-    for (std::size_t o = 0; o < 4; ++o) {
-      if (!possible_between(a.cooperation, b.cooperation, o, sense)) continue;
-      const std::uint32_t next = number(a.next[o], b.next[exchanged_outcome(o)]);
-      nodes[i].next[o] = next;
+    for (const Outcome outcome : all_outcomes) {
+      if (!possible_between(a.cooperation, b.cooperation, outcome, sense)) continue;
+      const std::uint32_t next = number(a.next[outcome.index()], b.next[outcome.exchanged().index()]);
+      nodes[i].next[outcome.index()] = next;
     }
   }
   return nodes;

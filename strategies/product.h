@@ -1,6 +1,7 @@
 #pragma once
 // Two automata that play each other, as one automaton over pairs of states.
 
+#include <folk/games/outcome.h>
 #include <folk/strategies/automaton.h>
 
 #include <array>
@@ -19,12 +20,9 @@ struct JointNode {
   std::array<std::uint32_t, 4> next{};
 };
 
-/// The same outcome as the second player sees it.
-constexpr std::size_t exchanged_outcome(std::size_t o) { return ((o & 1U) << 1U) | (o >> 1U); }
-
-/// True when outcome `o` can occur between states that cooperate with these probabilities.
-inline bool possible_between(double first, double second, std::size_t o, Sense sense) {
-  return possible(first, o, sense) && possible(second, exchanged_outcome(o), sense);
+/// True when an outcome, as the first player sees it, can occur between states that cooperate with these probabilities.
+inline bool possible_between(double first, double second, Outcome outcome, Sense sense) {
+  return possible(first, outcome, sense) && possible(second, outcome.exchanged(), sense);
 }
 
 /// The joint states that play reaches, in breadth-first order, start first; nothing when there are more than

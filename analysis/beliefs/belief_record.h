@@ -2,7 +2,7 @@
 // Matches of one policy round by round: what it did, what it believed, and what the opponent truly was about to do.
 
 #include <folk/analysis/play/sampling.h>
-#include <folk/games/move.h>
+#include <folk/games/outcome.h>
 #include <folk/strategies/strategy.h>
 
 #include <cstddef>
@@ -15,9 +15,7 @@
 namespace folk {
 
 /// One round as the policy met it.
-struct BeliefRound {
-  Move own = Move::C;
-  Move theirs = Move::C;
+struct BeliefRound : Outcome {
   std::optional<double> belief{};  ///< P(their C) as the policy held it; nothing from a policy without beliefs
   double truth = 1;  ///< P(their C) in the state of an opponent that is a machine; else 1 or 0 by the move it played
 

@@ -1,4 +1,5 @@
 #include <folk/analysis/beliefs/believed_world.h>
+#include <folk/games/outcome.h>
 
 #include <algorithm>
 #include <unordered_map>
@@ -23,12 +24,13 @@ std::unique_ptr<Player> BelievedWorld::new_player() const {
 }
 
 BelievedWorld::Node BelievedWorld::after(Node node, Move own, Move theirs) {
-  const std::size_t o = outcome(own, theirs);
+  const Outcome last{own, theirs};
+  const std::size_t o = last.index();
   if (histories_[node].next[o] == none) {
     const Node child = static_cast<Node>(histories_.size());
     auto& history = histories_.emplace_back();
     history.parent = node;
-    history.last = static_cast<std::uint8_t>(o);
+    history.last = last;
     history.round = histories_[node].round + 1;
     histories_[node].next[o] = child;
   }
@@ -88,8 +90,8 @@ std::unique_ptr<Player> BelievedWorld::player_for(Node node, bool take_over) {
 void BelievedWorld::tell(Player& player, const std::vector<Node>& way, bool moved) {
   for (auto node = way.rbegin(); node != way.rend(); ++node) {
     if (!std::exchange(moved, false)) note(histories_[*node].parent, player);
-    const unsigned last = histories_[*node].last;
-    player.observe(move_from_bit(last >> 1U), move_from_bit(last));
+    const auto [own, theirs] = histories_[*node].last;
+    player.observe(own, theirs);
   }
 }
 

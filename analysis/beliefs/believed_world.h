@@ -2,6 +2,7 @@
 // The world as a player holds it: histories, and after each of them what the player believes and would do.
 
 #include <folk/games/criterion.h>
+#include <folk/games/outcome.h>
 #include <folk/games/payoffs.h>
 #include <folk/strategies/strategy.h>
 
@@ -63,7 +64,7 @@ private:
 
   struct History {
     Node parent = none;
-    std::uint8_t last = 0;  // outcome of the last round
+    Outcome last;  // of the last round
     bool thought = false;
     bool believes = false;
     bool kept = false;

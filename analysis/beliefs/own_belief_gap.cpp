@@ -2,6 +2,7 @@
 #include <folk/analysis/beliefs/own_belief_gap.h>
 #include <folk/analysis/play/whole_payoffs.h>
 #include <folk/games/error.h>
+#include <folk/games/outcome.h>
 
 #include <fmt/format.h>
 
@@ -146,7 +147,7 @@ private:
   double bound(Node node) const { return static_cast<double>(rounds_left(node)) * most_; }
 
   void step(Line& line, Move own) {
-    line.earned += payoffs_.by_outcome[outcome(own, world_.believed(line.node))];
+    line.earned += payoffs_.by_outcome[Outcome{own, world_.believed(line.node)}.index()];
     line.node = world_.after(line.node, own);
   }
 

@@ -1,4 +1,5 @@
 #include <folk/analysis/equilibria/certificate.h>
+#include <folk/games/outcome.h>
 
 #include <fmt/format.h>
 
@@ -127,7 +128,7 @@ std::optional<Certificate> judge_beliefs(const BeliefConsistency& beliefs, doubl
   return result;
 }
 
-std::string history_text(const std::vector<Round>& history) {
+std::string history_text(const std::vector<Outcome>& history) {
   std::string text;
   for (std::size_t t = 0; t < history.size();) {
     // The repetition that shortens most, of up to 8 rounds at a time.

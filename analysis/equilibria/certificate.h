@@ -4,6 +4,7 @@
 #include <folk/analysis/beliefs/belief_consistency.h>
 #include <folk/analysis/equilibria/equilibrium_check.h>
 #include <folk/analysis/thresholds/thresholds.h>
+#include <folk/games/outcome.h>
 
 #include <array>
 #include <cstdint>
@@ -67,7 +68,7 @@ std::optional<Certificate> judge(const PairGaps& gaps, Notion notion, Sides side
 std::optional<Certificate> judge_beliefs(const BeliefConsistency& beliefs, double epsilon, bool whole_path);
 
 /// A history as people write it: "CC CC CD", own move first; long ones with their repetitions counted: "(CC)99".
-std::string history_text(const std::vector<Round>& history);
+std::string history_text(const std::vector<Outcome>& history);
 
 /// A deviation in words: "in round 3, after CC CD, D instead of C, then best reply".
 std::string witness_text(const Gap& gap);

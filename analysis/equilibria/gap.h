@@ -3,10 +3,10 @@
 
 #include <folk/games/criterion.h>
 #include <folk/games/move.h>
+#include <folk/games/outcome.h>
 #include <folk/games/payoffs.h>
 #include <folk/games/rational.h>
 #include <folk/strategies/automaton.h>
-#include <folk/strategies/equivalence.h>
 
 #include <cstdint>
 #include <memory>
@@ -18,7 +18,7 @@ namespace folk {
 
 /// A way to gain, told so that a reader can replay it: play goes as in `history`, then `deviation` is played.
 struct Witness {
-  std::vector<Round> history;     ///< as the deviating player sees it (its own move first)
+  std::vector<Outcome> history;   ///< as the deviating player sees it (its own move first)
   std::optional<Move> deviation;  ///< what it plays instead; nothing where no deviation gains
   std::string then;               ///< what follows: "best reply", "minmax 1 for ever", ...
   std::string belief;             ///< the machine that the opponent is believed to be, where that is the question

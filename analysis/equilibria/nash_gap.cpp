@@ -1,6 +1,7 @@
 #include <folk/analysis/equilibria/nash_gap.h>
 #include <folk/analysis/play/markov_play.h>
 #include <folk/games/error.h>
+#include <folk/games/outcome.h>
 
 #include <fmt/format.h>
 
@@ -22,7 +23,7 @@ Witness first_departure(const PlayPath& path, const Automaton& reply) {
       if (!path.cycle || !seen.insert(state).second) return {{}, std::nullopt, "best reply", {}};
       t = *path.cycle;
     }
-    const Round& round = path.rounds[t];
+    const Outcome& round = path.rounds[t];
     if (move_of(reply, state) != round.own) {
       witness.deviation = other(round.own);
       return witness;

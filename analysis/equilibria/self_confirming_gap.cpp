@@ -5,6 +5,7 @@
 #include <folk/analysis/replies/path_payoffs.h>
 #include <folk/analysis/replies/stationary_reply.h>
 #include <folk/games/error.h>
+#include <folk/games/outcome.h>
 #include <folk/games/stage_games/minmax.h>
 
 #include <fmt/format.h>
@@ -20,7 +21,7 @@
 namespace folk {
 namespace {
 
-std::vector<Round> first_rounds(const PlayPath& path, std::size_t count) {
+std::vector<Outcome> first_rounds(const PlayPath& path, std::size_t count) {
   return {path.rounds.begin(), path.rounds.begin() + static_cast<std::ptrdiff_t>(count)};
 }
 
@@ -28,12 +29,12 @@ std::vector<Round> first_rounds(const PlayPath& path, std::size_t count) {
 /// cycle for `horizon` rounds at least.
 bool agrees(const Machine& machine, const PlayPath& path, unsigned horizon) {
   State state = machine.start();
-  const auto follow = [&](const Round& round) {
+  const auto follow = [&](const Outcome& round) {
     if (machine.cooperation(state) != (round.theirs == Move::C ? 1 : 0)) return false;
     state = machine.next(state, round.theirs, round.own);
     return true;
   };
-  for (const Round& round : path.rounds)
+  for (const Outcome& round : path.rounds)
     if (!follow(round)) return false;
   if (!path.cycle) return true;
   std::set<State> seen;
@@ -53,8 +54,9 @@ ReplyProblem path_problem(const JointPlay& play, const Payoffs& payoffs) {
   problem.outside = {outside, mixed_minmax(payoffs)};
   for (std::size_t s = 0; s < play.size(); ++s) {
     ReplyProblem::State state{play.second_cooperation(s), play.node(s).next};
-    for (std::size_t o = 0; o < 4; ++o)
-      if (!possible(play.first_cooperation(s), o, Sense::own_moves_its_own)) state.next[o] = outside;
+    for (const Outcome outcome : all_outcomes)
+      if (!possible(play.first_cooperation(s), outcome, Sense::own_moves_its_own))
+        state.next[outcome.index()] = outside;
     problem.states.push_back(state);
   }
   problem.states.push_back({1, {outside, outside, outside, outside}});
@@ -73,10 +75,10 @@ bool agrees(const Automaton& own, const Automaton& theirs, const Automaton& memb
       const double p = own.nodes()[a].cooperation;
       const double q = theirs.nodes()[b].cooperation;
       if (member.nodes()[c].cooperation != q) return false;
-      for (std::size_t o = 0; o < 4; ++o) {
-        if (!possible_between(p, q, o, Sense::own_moves_its_own)) continue;
-        const std::size_t seen_by_them = exchanged_outcome(o);
-        const Triple next{own.nodes()[a].next[o], theirs.nodes()[b].next[seen_by_them],
+      for (const Outcome outcome : all_outcomes) {
+        if (!possible_between(p, q, outcome, Sense::own_moves_its_own)) continue;
+        const std::size_t seen_by_them = outcome.exchanged().index();
+        const Triple next{own.nodes()[a].next[outcome.index()], theirs.nodes()[b].next[seen_by_them],
                           member.nodes()[c].next[seen_by_them]};
         if (seen.insert(next).second) next_layer.push_back(next);
       }

@@ -5,6 +5,7 @@
 #include <folk/analysis/replies/flow.h>
 #include <folk/analysis/replies/stationary_reply.h>
 #include <folk/games/error.h>
+#include <folk/games/outcome.h>
 #include <folk/games/seat.h>
 
 #include <fmt/format.h>
@@ -24,8 +25,8 @@ public:
         seat_(seat) {}
 
   std::size_t size() const { return play_.size(); }
-  std::uint32_t next(std::size_t s, std::size_t o) const { return play_.node(s).next[in_play(o)]; }
-  std::size_t outcome_in(std::size_t s) const { return in_play(play_.outcome_in(s)); }
+  std::uint32_t next(std::size_t s, Outcome outcome) const { return play_.node(s).next[in_play(outcome).index()]; }
+  Outcome outcome_in(std::size_t s) const { return in_play(play_.outcome_in(s)); }
   double own_cooperation(std::size_t s) const {
     return seat_ == Seat::first ? play_.first_cooperation(s) : play_.second_cooperation(s);
   }
@@ -45,13 +46,13 @@ public:
   Witness witness(std::size_t s, Move deviation, const char* then) const {
     Witness witness{play_.history_to(s), deviation, then, {}};
     if (seat_ == Seat::second)
-      for (Round& round : witness.history) std::swap(round.own, round.theirs);
+      for (Outcome& round : witness.history) round = round.exchanged();
     return witness;
   }
 
 private:
   /// The seat's outcome as the play has it, and back.
-  std::size_t in_play(std::size_t o) const { return seat_ == Seat::first ? o : exchanged_outcome(o); }
+  Outcome in_play(Outcome outcome) const { return seat_ == Seat::first ? outcome : outcome.exchanged(); }
 
   const JointPlay& play_;
   Seat seat_;
@@ -63,9 +64,9 @@ Flow flow_of(const Side& side, const WholePayoffs& whole, const Criterion& crite
   std::vector<std::uint32_t> next(side.size());
   std::vector<double> rewards(side.size());
   for (std::size_t s = 0; s < side.size(); ++s) {
-    const std::size_t o = side.outcome_in(s);
-    next[s] = side.next(s, o);
-    rewards[s] = whole.by_outcome[o];
+    const Outcome outcome = side.outcome_in(s);
+    next[s] = side.next(s, outcome);
+    rewards[s] = whole.by_outcome[outcome.index()];
   }
   return {std::move(next), std::move(rewards), whole.exact_scale, criterion};
 }
@@ -74,11 +75,11 @@ Flow flow_of(const Side& side, const WholePayoffs& whole, const Criterion& crite
 Gap one_shot_gap(const Side& side, const Payoffs& payoffs, const Criterion& criterion) {
   const WholePayoffs whole = whole_payoffs(payoffs);
   const Flow flow = flow_of(side, whole, criterion);
-  const auto deviation = [&](std::size_t s) { return side.outcome_in(s) ^ 2U; };
+  const auto deviation = [&](std::size_t s) { return side.outcome_in(s).deviated(); };
   double best = 0;
   std::vector<double> gains(side.size());
   for (std::uint32_t s = 0; s < side.size(); ++s) {
-    gains[s] = flow.rounded_gain(s, whole.by_outcome[deviation(s)], side.next(s, deviation(s)));
+    gains[s] = flow.rounded_gain(s, whole.by_outcome[deviation(s).index()], side.next(s, deviation(s)));
     best = std::max(best, gains[s]);
   }
   // Only what comes near the best rounded gain can be the largest.
@@ -86,15 +87,15 @@ Gap one_shot_gap(const Side& side, const Payoffs& payoffs, const Criterion& crit
   std::size_t at = side.size();
   for (std::uint32_t s = 0; s < side.size(); ++s) {
     if (gains[s] < best - 2 * flow.doubt()) continue;
-    if (flow.gain_sign(s, whole.by_outcome[deviation(s)], side.next(s, deviation(s))) <= 0) continue;
-    const Rational gain = flow.gain(s, whole.by_outcome[deviation(s)], side.next(s, deviation(s)));
+    if (flow.gain_sign(s, whole.by_outcome[deviation(s).index()], side.next(s, deviation(s))) <= 0) continue;
+    const Rational gain = flow.gain(s, whole.by_outcome[deviation(s).index()], side.next(s, deviation(s)));
     if (gain > largest) {
       largest = gain;
       at = s;
     }
   }
   if (at == side.size()) return exact_gap(0, {});
-  return exact_gap(largest, side.witness(at, move_from_bit(static_cast<unsigned>(deviation(at)) >> 1U), as_before));
+  return exact_gap(largest, side.witness(at, deviation(at).own, as_before));
 }
 
 /// Deterministic machines, mean: exact.
@@ -118,7 +119,7 @@ MarkovChain chain_of(const Side& side) {
   MarkovChain chain(side.size());
   for (std::size_t s = 0; s < side.size(); ++s) {
     chain[s].probability = side.chances_in(s);
-    for (std::size_t o = 0; o < 4; ++o) chain[s].next[o] = side.next(s, o);
+    for (const Outcome outcome : all_outcomes) chain[s].next[outcome.index()] = side.next(s, outcome);
   }
   return chain;
 }
@@ -131,8 +132,8 @@ double worth(const Side& side, std::size_t s, Move own, const std::array<double,
   for (const Move theirs : {Move::C, Move::D}) {
     const double chance = theirs == Move::C ? p : 1 - p;
     if (chance == 0) continue;
-    const std::size_t o = outcome(own, theirs);
-    sum += chance * (weight * payoffs[o] + continuation * values[side.next(s, o)]);
+    const Outcome outcome{own, theirs};
+    sum += chance * (weight * payoffs[outcome.index()] + continuation * values[side.next(s, outcome)]);
   }
   return sum;
 }
@@ -206,18 +207,20 @@ std::vector<std::vector<bool>> reached_after(const JointPlay& play, std::uint64_
 }
 
 /// A history of exactly `rounds` rounds to a joint state, as the first machine sees it.
-std::vector<Round> history_of(const JointPlay& play, const std::vector<std::vector<bool>>& reached, std::size_t state,
-                              std::uint64_t rounds) {
-  std::vector<Round> history(rounds);
+std::vector<Outcome> history_of(const JointPlay& play, const std::vector<std::vector<bool>>& reached, std::size_t state,
+                                std::uint64_t rounds) {
+  std::vector<Outcome> history(rounds);
   for (std::uint64_t t = rounds; t-- > 0;) {
     bool found = false;
-    for (std::size_t before = 0; before < play.size() && !found; ++before)
-      for (unsigned o = 0; o < 4 && reached[t][before] && !found; ++o)
-        if (play.node(before).next[o] == state) {
-          history[t] = {move_from_bit(o >> 1U), move_from_bit(o)};
-          state = before;
-          found = true;
-        }
+    for (std::size_t before = 0; before < play.size() && !found; ++before) {
+      if (!reached[t][before]) continue;
+      const auto& next = play.node(before).next;
+      const auto place = std::find(next.begin(), next.end(), state);
+      if (place == next.end()) continue;
+      history[t] = all_outcomes[static_cast<std::size_t>(place - next.begin())];
+      state = before;
+      found = true;
+    }
   }
   return history;
 }
@@ -246,7 +249,7 @@ Gap finite_gap(const JointPlay& play, Seat seat, const std::vector<std::vector<b
   }
   Witness witness{history_of(play, reached, largest.state, largest.round), largest.move, as_before, {}};
   if (seat == Seat::second)
-    for (Round& round : witness.history) std::swap(round.own, round.theirs);
+    for (Outcome& round : witness.history) round = round.exchanged();
   if (pure) return exact_gap(Rational(static_cast<std::int64_t>(largest.gain)) / whole.exact_scale, std::move(witness));
   return rounded_gap(largest.gain / whole.scale, rounding_of(payoffs, criterion), std::move(witness));
 }

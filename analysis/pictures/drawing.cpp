@@ -1,4 +1,5 @@
 #include <folk/analysis/pictures/drawing.h>
+#include <folk/games/outcome.h>
 
 #include <fmt/format.h>
 
@@ -27,10 +28,7 @@ public:
       : automaton_(automaton),
         options_(options) {
     for (std::size_t s = 0; s < automaton.size(); ++s)
-      for (std::size_t o = 0; o < 4; ++o)
-        if (possible(automaton.nodes()[s].cooperation, o, options.sense) && !is_beyond(s))
-          own_matters_ = own_matters_ || (possible(automaton.nodes()[s].cooperation, o ^ 2U, options.sense) &&
-                                          automaton.nodes()[s].next[o] != automaton.nodes()[s].next[o ^ 2U]);
+      own_matters_ = own_matters_ || (!is_beyond(s) && own_move_matters(automaton.nodes()[s]));
   }
 
   std::string text() {
@@ -52,6 +50,15 @@ public:
 private:
   bool is_beyond(std::size_t s) const { return automaton_.beyond() == s; }
 
+  /// True when both own moves are possible in a state and lead to different ones after the same move of theirs.
+  bool own_move_matters(const Automaton::Node& node) const {
+    return std::any_of(all_outcomes.begin(), all_outcomes.end(), [&](Outcome outcome) {
+      return possible(node.cooperation, outcome, options_.sense) &&
+             possible(node.cooperation, outcome.deviated(), options_.sense) &&
+             node.next[outcome.index()] != node.next[outcome.deviated().index()];
+    });
+  }
+
   /// True when play that leaves state `s` can come back to it.
   bool recurs(std::size_t s) const {
     std::vector<bool> seen(automaton_.size());
@@ -59,9 +66,9 @@ private:
     while (!open.empty()) {
       const auto& node = automaton_.nodes()[open.back()];
       open.pop_back();
-      for (std::size_t o = 0; o < 4; ++o) {
-        if (!possible(node.cooperation, o, options_.sense)) continue;
-        const std::size_t next = node.next[o];
+      for (const Outcome outcome : all_outcomes) {
+        if (!possible(node.cooperation, outcome, options_.sense)) continue;
+        const std::size_t next = node.next[outcome.index()];
         if (next == s) return true;
         if (!seen[next]) open.push_back(next);
         seen[next] = true;
@@ -121,10 +128,10 @@ private:
     const auto& node = automaton_.nodes()[s];
     std::map<std::uint32_t, Outcomes> targets;
     Outcomes all{};
-    for (std::size_t o = 0; o < 4; ++o) {
-      if (!possible(node.cooperation, o, options_.sense)) continue;
-      targets[node.next[o]][o] = true;
-      all[o] = true;
+    for (const Outcome outcome : all_outcomes) {
+      if (!possible(node.cooperation, outcome, options_.sense)) continue;
+      targets[node.next[outcome.index()]][outcome.index()] = true;
+      all[outcome.index()] = true;
     }
     std::string text;
     for (const auto& [to, leads] : targets)

@@ -1,5 +1,6 @@
 #include <folk/analysis/play/deterministic_play.h>
 #include <folk/games/error.h>
+#include <folk/games/outcome.h>
 
 #include <fmt/format.h>
 
@@ -27,10 +28,10 @@ public:
   /// True when nothing that follows can change the sum.
   bool over() const { return left_ == 0 || weight_ < 1e-18; }
 
-  void add(std::size_t o) {
-    weights_[o] += weight_;
+  void add(Outcome outcome) {
+    weights_[outcome.index()] += weight_;
     weight_ *= continuation_;
-    loop_[o] += loop_weight_;
+    loop_[outcome.index()] += loop_weight_;
     loop_weight_ *= continuation_;
     ++loop_length_;
     if (left_ != for_ever) --left_;
@@ -167,7 +168,7 @@ public:
   void step() {
     const Move own = move_of(first_, a_);
     const Move theirs = move_of(second_, b_);
-    sum_.add(outcome(own, theirs));
+    sum_.add({own, theirs});
     a_ = first_.next(a_, own, theirs);
     b_ = second_.next(b_, theirs, own);
     const CounterView a = first_.view(a_);

@@ -1,6 +1,7 @@
 #include <folk/analysis/play/deterministic_play.h>
 #include <folk/analysis/play/group_play.h>
 #include <folk/games/error.h>
+#include <folk/games/outcome.h>
 
 #include <fmt/format.h>
 
@@ -37,13 +38,12 @@ public:
     double first = 0;
     double second = 0;
     const OutcomeWeights weights = match.weights();
-    for (const Move a : {Move::C, Move::D})
-      for (const Move b : {Move::C, Move::D}) {
-        const double weight = weights[outcome(a, b)];
-        sum_.weights[outcome(a, b)] += weight;
-        first += payoffs[outcome(a, b)] * weight;
-        second += payoffs[outcome(b, a)] * weight;
-      }
+    for (const Outcome outcome : all_outcomes) {
+      const double weight = weights[outcome.index()];
+      sum_.weights[outcome.index()] += weight;
+      first += payoffs[outcome.index()] * weight;
+      second += payoffs[outcome.exchanged().index()] * weight;
+    }
     first_payoff_.add(first);
     second_payoff_.add(second);
     sum_.first_guesses += match.guesses(Seat::first);

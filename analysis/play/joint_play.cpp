@@ -20,9 +20,8 @@ JointPlay::JointPlay(const Automaton& first, const Automaton& second, Sense sens
   nodes_ = *std::move(nodes);
 }
 
-std::size_t JointPlay::outcome_in(std::size_t state) const {
-  return outcome(first_cooperation(state) > 0.5 ? Move::C : Move::D,
-                 second_cooperation(state) > 0.5 ? Move::C : Move::D);
+Outcome JointPlay::outcome_in(std::size_t state) const {
+  return {first_cooperation(state) > 0.5 ? Move::C : Move::D, second_cooperation(state) > 0.5 ? Move::C : Move::D};
 }
 
 std::array<double, 4> JointPlay::chances_in(std::size_t state) const {
@@ -31,25 +30,22 @@ std::array<double, 4> JointPlay::chances_in(std::size_t state) const {
   return {p * q, p * (1 - q), (1 - p) * q, (1 - p) * (1 - q)};
 }
 
-std::vector<Round> JointPlay::history_to(std::size_t state) const {
+std::vector<Outcome> JointPlay::history_to(std::size_t state) const {
   constexpr auto unknown = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::pair<std::uint32_t, std::size_t>> from(nodes_.size(), {unknown, 0});  // state before, outcome
+  std::vector<std::pair<std::uint32_t, Outcome>> from(nodes_.size(), {unknown, {}});  // state before, outcome
   std::vector<std::uint32_t> queue{0};
-  from[0] = {0, 0};
+  from[0].first = 0;
   for (std::size_t i = 0; i < queue.size() && from[state].first == unknown; ++i)
-    for (std::size_t o = 0; o < 4; ++o) {
+    for (const Outcome outcome : all_outcomes) {
       const auto at = queue[i];
-      if (!possible_between(first_cooperation(at), second_cooperation(at), o, sense_)) continue;
-      const auto next = nodes_[at].next[o];
+      if (!possible_between(first_cooperation(at), second_cooperation(at), outcome, sense_)) continue;
+      const auto next = nodes_[at].next[outcome.index()];
       if (from[next].first != unknown) continue;
-      from[next] = {at, o};
+      from[next] = {at, outcome};
       queue.push_back(next);
     }
-  std::vector<Round> history;
-  for (std::size_t at = state; at != 0; at = from[at].first) {
-    const auto o = static_cast<unsigned>(from[at].second);
-    history.push_back({move_from_bit(o >> 1U), move_from_bit(o)});
-  }
+  std::vector<Outcome> history;
+  for (std::size_t at = state; at != 0; at = from[at].first) history.push_back(from[at].second);
   std::reverse(history.begin(), history.end());
   return history;
 }

@@ -1,7 +1,7 @@
 #pragma once
 // Two automata and every joint state that some history reaches, also by deviations of either or both.
 
-#include <folk/strategies/equivalence.h>
+#include <folk/games/outcome.h>
 #include <folk/strategies/product.h>
 
 #include <array>
@@ -25,13 +25,13 @@ public:
   double second_cooperation(std::size_t state) const { return second_.nodes()[nodes_[state].second].cooperation; }
 
   /// Of deterministic machines: the outcome that both play in a joint state (the first machine's move first).
-  std::size_t outcome_in(std::size_t state) const;
+  Outcome outcome_in(std::size_t state) const;
 
   /// The probability of each outcome in a joint state.
   std::array<double, 4> chances_in(std::size_t state) const;
 
   /// A shortest history that leads to a joint state, as the first machine sees it.
-  std::vector<Round> history_to(std::size_t state) const;
+  std::vector<Outcome> history_to(std::size_t state) const;
 
   const Automaton& first() const { return first_; }
   const Automaton& second() const { return second_; }

@@ -11,7 +11,7 @@ namespace folk {
 
 PlayPath PlayPath::exchanged() const {
   PlayPath path = *this;
-  for (Round& round : path.rounds) std::swap(round.own, round.theirs);
+  for (Outcome& round : path.rounds) round = round.exchanged();
   return path;
 }
 
@@ -35,7 +35,7 @@ PlayPath play_path(const Machine& first, const Machine& second, const Criterion&
         return path;
       }
     }
-    const Round round{move_of(first, a), move_of(second, b)};
+    const Outcome round{move_of(first, a), move_of(second, b)};
     path.rounds.push_back(round);
     a = first.next(a, round.own, round.theirs);
     b = second.next(b, round.theirs, round.own);

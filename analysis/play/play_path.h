@@ -2,8 +2,8 @@
 // What two strategies play when nothing happens by chance: some rounds, and perhaps a cycle at their end.
 
 #include <folk/games/criterion.h>
+#include <folk/games/outcome.h>
 #include <folk/games/payoffs.h>
-#include <folk/strategies/equivalence.h>
 #include <folk/strategies/machine.h>
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace folk {
 
 /// The path of a pair.
 struct PlayPath {
-  std::vector<Round> rounds;         ///< as the first player sees them
+  std::vector<Outcome> rounds;       ///< as the first player sees them
   std::optional<std::size_t> cycle;  ///< after the last round play goes on here; nothing: it ends, or is cut
   bool cut = false;                  ///< play goes on, but how is not known
 

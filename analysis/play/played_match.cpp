@@ -2,6 +2,7 @@
 #include <folk/analysis/play/played_match.h>
 #include <folk/games/error.h>
 #include <folk/games/match.h>
+#include <folk/games/outcome.h>
 
 #include <fmt/format.h>
 
@@ -85,7 +86,7 @@ void PlayedMatch::play_round() {
       [&](Move a, Move b) {
         judge_belief(Seat::first, b);
         judge_belief(Seat::second, a);
-        weights_[outcome(a, b)] += weight_;
+        weights_[Outcome{a, b}.index()] += weight_;
       });
   weight_ *= continuation_;
   --rounds_left_;

@@ -1,6 +1,7 @@
 #include <folk/analysis/play/whole_payoffs.h>
 #include <folk/analysis/replies/bayes_reply.h>
 #include <folk/games/error.h>
+#include <folk/games/outcome.h>
 #include <folk/strategies/automaton.h>
 
 #include <fmt/format.h>
@@ -104,10 +105,9 @@ void put_in_order(Members& members) {
   members.resize(std::min(members.size(), last + 1));
 }
 
-/// Who is left after the outcome `o` (the player's own move first), and where they stand then.
-void find_consistent(std::span<const Member> members, std::size_t o, const Automaton& automaton, Members& left) {
-  const Move own = move_from_bit(static_cast<unsigned>(o >> 1U));
-  const Move theirs = move_from_bit(static_cast<unsigned>(o));
+/// Who is left after an outcome, as the player sees it, and where they stand then.
+void find_consistent(std::span<const Member> members, Outcome outcome, const Automaton& automaton, Members& left) {
+  const auto [own, theirs] = outcome;
   left.clear();
   for (const Member& member : members)
     if (move_of(automaton, member.state) == theirs)
@@ -229,9 +229,10 @@ BayesReply::BayesReply(const std::vector<Strategy>& roster, const Payoffs& payof
         information.weight += member.weight;
         if (move_of(automaton, member.state) == Move::C) information.cooperating += member.weight;
       }
-      for (std::size_t o = 0; o < 4 && left > 0; ++o) {
-        find_consistent(members, o, automaton, consistent);
-        if (!consistent.empty()) information.next[o] = following.number(consistent);
+      for (const Outcome outcome : all_outcomes) {
+        if (left == 0) break;
+        find_consistent(members, outcome, automaton, consistent);
+        if (!consistent.empty()) information.next[outcome.index()] = following.number(consistent);
       }
       nodes_.push_back(information);
       if (following.end() > limit)
@@ -250,9 +251,10 @@ void BayesReply::solve(const std::array<double, 4>& payoffs) {
   for (std::size_t i = nodes_.size(); i-- > 0;) {
     Information& here = nodes_[i];
     const std::array<double, 2> playing{here.cooperating, here.weight - here.cooperating};
-    for (std::size_t o = 0; o < 4; ++o) {
-      double& total = here.totals[o >> 1U];
-      total += playing[o & 1U] * payoffs[o];
+    for (const Outcome outcome : all_outcomes) {
+      const std::size_t o = outcome.index();
+      double& total = here.totals[bit(outcome.own)];
+      total += playing[bit(outcome.theirs)] * payoffs[o];
       if (here.next[o] != nowhere) total += std::max(nodes_[here.next[o]].totals[0], nodes_[here.next[o]].totals[1]);
     }
   }

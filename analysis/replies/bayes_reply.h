@@ -2,6 +2,7 @@
 // Bayes-optimal play over T rounds against an opponent drawn from a known roster of deterministic machines.
 
 #include <folk/games/move.h>
+#include <folk/games/outcome.h>
 #include <folk/games/payoffs.h>
 #include <folk/strategies/strategy.h>
 
@@ -59,7 +60,7 @@ public:
   /// What is known after both moves. `nowhere` after the last round, when no consistent member plays `theirs`, and from
   /// `nowhere`.
   Node next(Node node, Move own, Move theirs) const {
-    return node == nowhere ? nowhere : nodes_[node].next[outcome(own, theirs)];
+    return node == nowhere ? nowhere : nodes_[node].next[Outcome{own, theirs}.index()];
   }
 
   /// How many information states there are.

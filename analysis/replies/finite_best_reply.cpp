@@ -2,6 +2,7 @@
 #include <folk/analysis/play/whole_payoffs.h>
 #include <folk/analysis/replies/finite_best_reply.h>
 #include <folk/games/error.h>
+#include <folk/games/outcome.h>
 
 #include <fmt/format.h>
 
@@ -65,8 +66,8 @@ void FiniteBestReply::solve() {
       std::array<double, 2> worst{};
       for (const Move own : {Move::C, Move::D}) {
         const double p = problem_.states[s].cooperation;
-        const std::size_t c = outcome(own, Move::C);
-        const std::size_t d = outcome(own, Move::D);
+        const std::size_t c = Outcome{own, Move::C}.index();
+        const std::size_t d = Outcome{own, Move::D}.index();
         const auto& next = problem_.states[s].next;
         best[bit(own)] = expected(p, whole.by_outcome[c] + most[next[c]], whole.by_outcome[d] + most[next[d]]);
         worst[bit(own)] = expected(p, whole.by_outcome[c] + least[next[c]], whole.by_outcome[d] + least[next[d]]);
@@ -103,7 +104,7 @@ std::vector<Move> FiniteBestReply::moves() const {
   for (std::uint64_t round = 0; round < rounds_; ++round) {
     moves.push_back(best(round, state));
     const Move theirs = problem_.states[state].cooperation > 0.5 ? Move::C : Move::D;
-    state = problem_.states[state].next[outcome(moves.back(), theirs)];
+    state = problem_.states[state].next[Outcome{moves.back(), theirs}.index()];
   }
   return moves;
 }
@@ -119,13 +120,13 @@ Automaton FiniteBestReply::machine(std::size_t most_states) const {
     for (const auto state : states) {
       const Move own = best(round, state);
       Automaton::Node node{own == Move::C ? 1.0 : 0.0, {}};
-      for (std::size_t o = 0; o < 4; ++o) {
+      for (const Outcome outcome : all_outcomes) {
         // Without noise, outcomes of the other own move never come about and repeat those of this one.
-        const std::size_t met = problem_.noise > 0 ? o : outcome(own, move_from_bit(static_cast<unsigned>(o) & 1U));
-        const auto next = problem_.states[state].next[met];
+        const Outcome met = problem_.noise > 0 ? outcome : Outcome{own, outcome.theirs};
+        const auto next = problem_.states[state].next[met.index()];
         const auto [place, fresh] =
             next_layer.emplace(next, static_cast<std::uint32_t>(first_of_next + next_layer.size()));
-        node.next[o] = place->second;
+        node.next[outcome.index()] = place->second;
       }
       nodes.push_back(node);
     }

@@ -31,7 +31,8 @@ public:
           reward = to_double(problem.outside->payoff);
           continue;
         }
-        for (const auto& [o, chance] : problem.after(s, own)) {
+        for (const auto& [outcome, chance] : problem.after(s, own)) {
+          const std::size_t o = outcome.index();
           row.probability[o] = chance;
           row.next[o] = problem.states[s].next[o];
           reward += chance * payoffs[o];

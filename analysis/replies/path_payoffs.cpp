@@ -36,8 +36,7 @@ PathPayoffs::PathPayoffs(const PlayPath& path, const Payoffs& payoffs, const Cri
       throw UsageError(
           fmt::format("{} rounds at {} would score too much to count exactly: play fewer", n, to_text(payoffs)));
     tails_.assign(n + 1, 0);
-    for (std::size_t t = n; t-- > 0;)
-      tails_[t] = tails_[t + 1] + whole.by_outcome[outcome(rounds_[t].own, rounds_[t].theirs)];
+    for (std::size_t t = n; t-- > 0;) tails_[t] = tails_[t + 1] + whole.by_outcome[rounds_[t].index()];
     doubt_ = 16 * 0x1p-53 * static_cast<double>(n) * whole.largest / scale_;
     return;
   }
@@ -45,7 +44,7 @@ PathPayoffs::PathPayoffs(const PlayPath& path, const Payoffs& payoffs, const Cri
   std::vector<double> rewards;
   for (std::size_t t = 0; t < n; ++t) {
     next.push_back(static_cast<std::uint32_t>(t + 1));
-    rewards.push_back(whole.by_outcome[outcome(rounds_[t].own, rounds_[t].theirs)]);
+    rewards.push_back(whole.by_outcome[rounds_[t].index()]);
   }
   if (path.cycle) {
     next.back() = static_cast<std::uint32_t>(*path.cycle);
@@ -67,7 +66,7 @@ double PathPayoffs::rounded_from(std::size_t round) const {
 }
 
 Rational PathPayoffs::gain(std::size_t round, const Rational& rate) const {
-  const Rational& now = payoffs_[outcome(other(rounds_[round].own), rounds_[round].theirs)];
+  const Rational& now = payoffs_[rounds_[round].deviated().index()];
   const Rational d = criterion_.exact_continuation();
   switch (criterion_.kind()) {
     case Criterion::Kind::finite: return now + Rational(rounds() - round - 1) * rate - from(round);
@@ -79,7 +78,7 @@ Rational PathPayoffs::gain(std::size_t round, const Rational& rate) const {
 }
 
 double PathPayoffs::rounded_gain(std::size_t round, double rate) const {
-  const double now = numbers_[outcome(other(rounds_[round].own), rounds_[round].theirs)];
+  const double now = numbers_[rounds_[round].deviated().index()];
   const double d = criterion_.continuation();
   switch (criterion_.kind()) {
     case Criterion::Kind::finite: return now + static_cast<double>(rounds() - round - 1) * rate - rounded_from(round);

@@ -3,6 +3,7 @@
 
 #include <folk/analysis/play/play_path.h>
 #include <folk/analysis/replies/flow.h>
+#include <folk/games/outcome.h>
 
 #include <array>
 #include <cstddef>
@@ -44,7 +45,7 @@ private:
   Criterion criterion_;
   std::array<Rational, 4> payoffs_;
   std::array<double, 4> numbers_;
-  std::vector<Round> rounds_;
+  std::vector<Outcome> rounds_;
   std::vector<double> tails_;  // finite: whole totals from each round on
   double scale_ = 1;
   Rational exact_scale_ = 1;

@@ -1,5 +1,6 @@
 #include <folk/analysis/replies/posterior.h>
 #include <folk/games/error.h>
+#include <folk/games/outcome.h>
 
 #include <fmt/format.h>
 
@@ -80,11 +81,10 @@ std::array<double, 2> Posterior::totals(const Members& members, const std::array
     all += weight;
     cooperating += weight * machine->cooperation(state);
   }
-  for (std::size_t o = 0; o < 4; ++o) {
-    const Move own = move_from_bit(static_cast<unsigned>(o >> 1U));
-    const Move theirs = move_from_bit(static_cast<unsigned>(o));
-    double& total = found[o >> 1U];
-    total += (theirs == Move::C ? cooperating : all - cooperating) * payoffs[o];
+  for (const Outcome outcome : all_outcomes) {
+    const auto [own, theirs] = outcome;
+    double& total = found[bit(own)];
+    total += (theirs == Move::C ? cooperating : all - cooperating) * payoffs[outcome.index()];
     if (depth == 1) continue;
     consistent(members, own, theirs, rooms[0]);
     if (rooms[0].empty()) continue;

@@ -19,7 +19,7 @@ ReplyProblem::Chances ReplyProblem::after(std::size_t state, Move own) const {
     const double own_chance = really == own ? 1 - noise : noise;
     for (const Move theirs : {Move::C, Move::D}) {
       const double chance = own_chance * (theirs == Move::C ? p : 1 - p);
-      if (chance > 0) chances.chances[chances.size++] = {outcome(really, theirs), chance};
+      if (chance > 0) chances.chances[chances.size++] = {{really, theirs}, chance};
     }
   }
   return chances;

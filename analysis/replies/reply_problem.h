@@ -1,6 +1,7 @@
 #pragma once
 // Replying to a known machine as a Markov decision problem on its states, and what solves it.
 
+#include <folk/games/outcome.h>
 #include <folk/games/payoffs.h>
 #include <folk/games/rational.h>
 #include <folk/strategies/automaton.h>
@@ -42,7 +43,7 @@ struct ReplyProblem {
 
   /// What happens when the replier means to play `own`: which outcomes, with which probabilities.
   struct Chance {
-    std::size_t outcome;
+    Outcome outcome;
     double probability;
   };
   struct Chances {

@@ -2,6 +2,7 @@
 #include <folk/analysis/replies/flow.h>
 #include <folk/analysis/replies/markov_reply.h>
 #include <folk/analysis/replies/stationary_reply.h>
+#include <folk/games/outcome.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
 
@@ -25,10 +26,11 @@ public:
   std::size_t size() const { return problem_.size(); }
   const Rational& scale() const { return whole_.exact_scale; }
   double reward(std::size_t s, Move own) const {
-    return problem_.is_outside(s) ? outside_ : whole_.by_outcome[outcome(own, theirs(s))];
+    return problem_.is_outside(s) ? outside_ : whole_.by_outcome[Outcome{own, theirs(s)}.index()];
   }
   std::uint32_t next(std::size_t s, Move own) const {
-    return problem_.is_outside(s) ? static_cast<std::uint32_t>(s) : problem_.states[s].next[outcome(own, theirs(s))];
+    return problem_.is_outside(s) ? static_cast<std::uint32_t>(s)
+                                  : problem_.states[s].next[Outcome{own, theirs(s)}.index()];
   }
 
   Flow flow(const std::vector<Move>& moves, const Criterion& criterion) const {

@@ -1,4 +1,5 @@
 #include <folk/analysis/thresholds/parametric_reply.h>
+#include <folk/games/outcome.h>
 
 #include <cmath>
 #include <set>
@@ -49,7 +50,7 @@ ReplyDecisions::ReplyDecisions(const Automaton& opponent, const std::array<Integ
     const Move theirs = node.cooperation > 0.5 ? Move::C : Move::D;
     std::array<Choice, 2> choice;
     for (const Move own : {Move::C, Move::D})
-      choice[bit(own)] = {outcome(own, theirs), node.next[outcome(theirs, own)]};
+      choice[bit(own)] = {{own, theirs}, node.next[Outcome{theirs, own}.index()]};
     choices_.push_back(choice);
   }
 }

@@ -3,6 +3,7 @@
 
 #include <folk/analysis/thresholds/discount_set.h>
 #include <folk/analysis/thresholds/plan_payoffs.h>
+#include <folk/games/outcome.h>
 #include <folk/strategies/automaton.h>
 
 #include <array>
@@ -19,7 +20,9 @@ public:
   ReplyDecisions(const Automaton& opponent, const std::array<Integer, 4>& payoffs);
 
   std::size_t size() const { return choices_.size(); }
-  const Integer& payoff(std::uint32_t state, Move own) const { return payoffs_[choices_[state][bit(own)].outcome]; }
+  const Integer& payoff(std::uint32_t state, Move own) const {
+    return payoffs_[choices_[state][bit(own)].outcome.index()];
+  }
   std::uint32_t next(std::uint32_t state, Move own) const { return choices_[state][bit(own)].next; }
 
   /// What a reply earns that plays moves[s] in the opponent's state s.
@@ -27,7 +30,7 @@ public:
 
 private:
   struct Choice {
-    std::size_t outcome = 0;
+    Outcome outcome;
     std::uint32_t next = 0;
   };
 

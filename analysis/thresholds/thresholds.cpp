@@ -36,15 +36,13 @@ std::vector<Seat> seats(Sides sides) {
 
 Move move_at(const Automaton& machine, std::uint32_t state) { return move_of(machine, state); }
 
-/// The outcome of a round as `seat` sees it; `o` is as the first machine sees it.
-std::size_t seen_by(Seat seat, std::size_t o) { return seat == Seat::first ? o : exchanged_outcome(o); }
+/// An outcome as the first machine sees it, or as `seat` does: either one from the other.
+Outcome seen_by(Seat seat, Outcome outcome) { return seat == Seat::first ? outcome : outcome.exchanged(); }
 
 /// The outcome, as the first machine sees it, after `seat` changes its move.
-std::size_t deviated(Seat seat, std::size_t o) { return o ^ (seat == Seat::first ? 2U : 1U); }
+Outcome deviated(Seat seat, Outcome outcome) { return seen_by(seat, seen_by(seat, outcome).deviated()); }
 
-Move move_of_seat(Seat seat, std::size_t o) { return move_from_bit(static_cast<unsigned>(seen_by(seat, o) >> 1U)); }
-
-Round round_of(std::size_t o) { return {move_of_seat(Seat::first, o), move_of_seat(Seat::second, o)}; }
+Move move_of_seat(Seat seat, Outcome outcome) { return seen_by(seat, outcome).own; }
 
 /// A set that is cut by one deviation after another, and what each of the ends comes from.
 class Cutting {
@@ -73,15 +71,13 @@ private:
 
 /// The play of two machines: outcomes of the rounds until joint states repeat, then again from `loop` on.
 struct Path {
-  std::vector<std::size_t> outcomes;
+  std::vector<Outcome> outcomes;
   std::uint32_t loop = 0;
 
   std::uint32_t next(std::uint32_t t) const { return t + 1 < outcomes.size() ? t + 1 : loop; }
 
-  std::vector<Round> history(std::size_t rounds) const {
-    std::vector<Round> played;
-    for (std::size_t t = 0; t < rounds; ++t) played.push_back(round_of(outcomes[t]));
-    return played;
+  std::vector<Outcome> history(std::size_t rounds) const {
+    return {outcomes.begin(), outcomes.begin() + static_cast<std::ptrdiff_t>(rounds)};
   }
 
   PlanPayoffs payoffs(Seat seat, const Stakes& stakes) const {
@@ -89,7 +85,7 @@ struct Path {
     std::vector<Integer> earned;
     for (std::uint32_t t = 0; t < outcomes.size(); ++t) {
       successors.push_back(next(t));
-      earned.push_back(stakes.payoff[seen_by(seat, outcomes[t])]);
+      earned.push_back(stakes.payoff[seen_by(seat, outcomes[t]).index()]);
     }
     return {std::move(successors), std::move(earned)};
   }
@@ -109,7 +105,7 @@ std::optional<Path> path_of(const Automaton& first, const Automaton& second, std
     if (rounds.size() > most_states) return std::nullopt;
     const Move own = move_of(first, a);
     const Move theirs = move_of(second, b);
-    path.outcomes.push_back(outcome(own, theirs));
+    path.outcomes.push_back({own, theirs});
     a = first.next(a, own, theirs);
     b = second.next(b, theirs, own);
   }
@@ -122,11 +118,13 @@ std::optional<Threshold> self_confirming(const Path& path, const Stakes& stakes,
   for (const Seat side : seats(sides)) {
     const PlanPayoffs plan = path.payoffs(side, stakes);
     for (std::uint32_t t = 0; t < path.outcomes.size() && !cutting.empty(); ++t) {
-      const std::size_t o = deviated(side, path.outcomes[t]);
-      const auto loss =
-          advantage({plan, plan.payoff(t), plan.next(t)}, {punished, stakes.payoff[seen_by(side, o)], 0}, limits.terms);
+      const Outcome outcome = deviated(side, path.outcomes[t]);
+      const auto loss = advantage({plan, plan.payoff(t), plan.next(t)},
+                                  {punished, stakes.payoff[seen_by(side, outcome).index()], 0}, limits.terms);
       if (!loss) return std::nullopt;
-      cutting.cut(*loss, [&] { return Binding{side, path.history(t), move_of_seat(side, o), Binding::Then::minmax}; });
+      cutting.cut(*loss, [&] {
+        return Binding{side, path.history(t), move_of_seat(side, outcome), Binding::Then::minmax};
+      });
     }
   }
   return std::move(cutting).result();
@@ -139,21 +137,21 @@ public:
       : nodes_(std::move(nodes)),
         reached_by_(nodes_.size()) {
     for (std::uint32_t s = 0; s < nodes_.size(); ++s) {
-      outcomes_.push_back(outcome(move_at(first, nodes_[s].first), move_at(second, nodes_[s].second)));
+      outcomes_.push_back({move_at(first, nodes_[s].first), move_at(second, nodes_[s].second)});
       // Nodes are in breadth-first order: the first edge to a later one is the end of a shortest history.
-      for (std::size_t o = 0; o < 4; ++o)
-        if (const std::uint32_t next = nodes_[s].next[o]; next > s && !reached_by_[next]) reached_by_[next] = {s, o};
+      for (const Outcome outcome : all_outcomes)
+        if (const std::uint32_t next = nodes_[s].next[outcome.index()]; next > s && !reached_by_[next])
+          reached_by_[next] = {s, outcome};
     }
   }
 
   std::size_t size() const { return nodes_.size(); }
-  std::size_t planned(std::uint32_t state) const { return outcomes_[state]; }
-  std::uint32_t next(std::uint32_t state, std::size_t o) const { return nodes_[state].next[o]; }
+  Outcome planned(std::uint32_t state) const { return outcomes_[state]; }
+  std::uint32_t next(std::uint32_t state, Outcome outcome) const { return nodes_[state].next[outcome.index()]; }
 
-  std::vector<Round> history(std::uint32_t state) const {
-    std::vector<Round> played;
-    for (; reached_by_[state]; state = reached_by_[state]->first)
-      played.push_back(round_of(reached_by_[state]->second));
+  std::vector<Outcome> history(std::uint32_t state) const {
+    std::vector<Outcome> played;
+    for (; reached_by_[state]; state = reached_by_[state]->first) played.push_back(reached_by_[state]->second);
     std::reverse(played.begin(), played.end());
     return played;
   }
@@ -163,15 +161,15 @@ public:
     std::vector<Integer> earned;
     for (std::uint32_t s = 0; s < size(); ++s) {
       successors.push_back(next(s, planned(s)));
-      earned.push_back(stakes.payoff[seen_by(seat, planned(s))]);
+      earned.push_back(stakes.payoff[seen_by(seat, planned(s)).index()]);
     }
     return {std::move(successors), std::move(earned)};
   }
 
 private:
   std::vector<JointNode> nodes_;
-  std::vector<std::size_t> outcomes_;
-  std::vector<std::optional<std::pair<std::uint32_t, std::size_t>>> reached_by_;
+  std::vector<Outcome> outcomes_;
+  std::vector<std::optional<std::pair<std::uint32_t, Outcome>>> reached_by_;
 };
 
 std::optional<Threshold> subgame_perfect(const Automaton& first, const Automaton& second, const Stakes& stakes,
@@ -183,11 +181,14 @@ std::optional<Threshold> subgame_perfect(const Automaton& first, const Automaton
   for (const Seat side : seats(sides)) {
     const PlanPayoffs plan = joint.payoffs(side, stakes);
     for (std::uint32_t s = 0; s < joint.size() && !cutting.empty(); ++s) {
-      const std::size_t o = deviated(side, joint.planned(s));
-      const auto loss = advantage({plan, plan.payoff(s), plan.next(s)},
-                                  {plan, stakes.payoff[seen_by(side, o)], joint.next(s, o)}, limits.terms);
+      const Outcome outcome = deviated(side, joint.planned(s));
+      const auto loss =
+          advantage({plan, plan.payoff(s), plan.next(s)},
+                    {plan, stakes.payoff[seen_by(side, outcome).index()], joint.next(s, outcome)}, limits.terms);
       if (!loss) return std::nullopt;
-      cutting.cut(*loss, [&] { return Binding{side, joint.history(s), move_of_seat(side, o), Binding::Then::plan}; });
+      cutting.cut(*loss, [&] {
+        return Binding{side, joint.history(s), move_of_seat(side, outcome), Binding::Then::plan};
+      });
     }
   }
   return std::move(cutting).result();

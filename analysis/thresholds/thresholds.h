@@ -2,10 +2,10 @@
 // From which patience on is a pair of machines in equilibrium? The exact sets of discount factors.
 
 #include <folk/analysis/thresholds/discount_set.h>
+#include <folk/games/outcome.h>
 #include <folk/games/payoffs.h>
 #include <folk/games/seat.h>
 #include <folk/strategies/automaton.h>
-#include <folk/strategies/equivalence.h>
 
 #include <cstddef>
 #include <optional>
@@ -22,9 +22,9 @@ struct Binding {
     best_reply  ///< it goes on with a best reply to the opponent
   };
 
-  Seat side = Seat::first;     ///< who deviates: row is the first machine
-  std::vector<Round> history;  ///< what was played before, as the first machine sees it
-  Move deviation = Move::C;    ///< instead of the machine's own move
+  Seat side = Seat::first;       ///< who deviates
+  std::vector<Outcome> history;  ///< what was played before, as the first machine sees it
+  Move deviation = Move::C;      ///< instead of the machine's own move
   Then then = Then::plan;
 };
 

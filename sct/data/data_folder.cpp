@@ -1,4 +1,5 @@
 #include <folk/games/error.h>
+#include <folk/games/outcome.h>
 #include <folk/games/text_file.h>
 #include <folk/sct/data/data_folder.h>
 #include <folk/sct/files/npy_file.h>
@@ -27,7 +28,7 @@ constexpr const char* observation_names[observation_size] = {"start", "CC", "CD"
 
 /// Which of the five numbers is 1 before this round.
 std::size_t observation(const Trajectory& trajectory, std::size_t round) {
-  return round == 0 ? 0 : 1 + outcome(trajectory.own[round - 1], trajectory.theirs[round - 1]);
+  return round == 0 ? 0 : 1 + Outcome{trajectory.own[round - 1], trajectory.theirs[round - 1]}.index();
 }
 
 /// Reads an array that must have this shape, the one that actions.npy asks for.

@@ -1,5 +1,6 @@
 #include <folk/analysis/replies/finite_best_reply.h>
 #include <folk/games/criterion.h>
+#include <folk/games/outcome.h>
 #include <folk/games/random.h>
 #include <folk/sct/data/recorded_play.h>
 
@@ -40,7 +41,7 @@ std::vector<Trajectory> play_and_record(const Strategy& player, const std::vecto
       Move own = tables[m].player->move();
       const Move theirs = tables[m].opponent->move();
       if (slip > 0 && tables[m].slips.chance(slip)) own = other(own);
-      data[m].add(own, theirs, rewards[outcome(own, theirs)]);
+      data[m].add(own, theirs, rewards[Outcome{own, theirs}.index()]);
       tables[m].player->observe(own, theirs);
       tables[m].opponent->observe(theirs, own);
     }
@@ -59,7 +60,7 @@ std::vector<Trajectory> best_reply_data(const std::vector<Strategy>& roster, con
     Trajectory trajectory{"best_reply", member.name, {}, {}, {}};
     for (const Move own : moves) {
       const Move theirs = opponent->move();
-      trajectory.add(own, theirs, rewards[outcome(own, theirs)]);
+      trajectory.add(own, theirs, rewards[Outcome{own, theirs}.index()]);
       opponent->observe(theirs, own);
     }
     data.push_back(std::move(trajectory));

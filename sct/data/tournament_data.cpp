@@ -1,4 +1,5 @@
 #include <folk/games/match.h>
+#include <folk/games/outcome.h>
 #include <folk/sct/data/tournament_data.h>
 
 namespace folk::sct {
@@ -18,8 +19,8 @@ std::vector<Trajectory> tournament_data(const std::vector<Strategy>& roster, con
         Trajectory mine{roster[i].name, roster[j].name, {}, {}, {}};
         Trajectory theirs{roster[j].name, roster[i].name, {}, {}, {}};
         play_match(*first, *second, rounds, NoNoise{}, [&](Move a, Move b) {
-          mine.add(a, b, rewards[outcome(a, b)]);
-          theirs.add(b, a, rewards[outcome(b, a)]);
+          mine.add(a, b, rewards[Outcome{a, b}.index()]);
+          theirs.add(b, a, rewards[Outcome{b, a}.index()]);
         });
         data.push_back(std::move(mine));
         if (i != j || theirs.own != data.back().own) data.push_back(std::move(theirs));

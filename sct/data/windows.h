@@ -1,6 +1,7 @@
 #pragma once
 // Training windows: stretches of matches, drawn so that the rounds that decide are seen often enough.
 
+#include <folk/games/outcome.h>
 #include <folk/games/random.h>
 #include <folk/sct/data/trajectory.h>
 #include <folk/sct/network/batch.h>
@@ -15,7 +16,7 @@ namespace folk::sct {
 inline constexpr std::size_t observation_size = 5;
 constexpr std::uint8_t start_observation = 0;
 constexpr std::uint8_t observation_of(Move own, Move theirs) {
-  return static_cast<std::uint8_t>(1 + outcome(own, theirs));
+  return static_cast<std::uint8_t>(1 + Outcome{own, theirs}.index());
 }
 
 /// One match as the network sees it; every vector has one entry a round.

@@ -1,5 +1,6 @@
 #include <folk/analysis/play/parallel.h>
 #include <folk/games/error.h>
+#include <folk/games/outcome.h>
 #include <folk/sct/policy/sct_player.h>
 
 #include <fmt/format.h>
@@ -38,7 +39,7 @@ public:
 
   void observe(Move own, Move theirs) override {
     remember(memory_, own, theirs, likelier_move(thought_ ? thought_->belief : 0.5),
-             rewards_[outcome(own, theirs)] / mind_->policy.training.return_scale);
+             rewards_[Outcome{own, theirs}.index()] / mind_->policy.training.return_scale);
     thought_.reset();
   }
 

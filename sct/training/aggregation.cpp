@@ -1,4 +1,5 @@
 #include <folk/games/error.h>
+#include <folk/games/outcome.h>
 #include <folk/sct/training/aggregation.h>
 
 #include <fmt/format.h>
@@ -28,7 +29,7 @@ Lesson BayesTeacher::label(const Trajectory& trajectory) const {
     lesson.wanted[t] = static_cast<std::uint8_t>(bit(reply_.best(node)));
     lesson.weights[t] = static_cast<float>(std::min(most_weight, std::abs(values[0] - values[1])));
     lesson.returns[t] = asked;
-    asked -= rewards_[outcome(trajectory.own[t], trajectory.theirs[t])];
+    asked -= rewards_[Outcome{trajectory.own[t], trajectory.theirs[t]}.index()];
     node = reply_.next(node, trajectory.own[t], trajectory.theirs[t]);
   }
   return lesson;

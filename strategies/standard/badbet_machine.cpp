@@ -1,3 +1,4 @@
+#include <folk/games/outcome.h>
 #include <folk/strategies/standard/badbet_machine.h>
 
 #include <algorithm>
@@ -62,7 +63,7 @@ double BadbetMachine::cooperation(State state) const {
 State BadbetMachine::next(State state, Move own, Move theirs) const {
   constexpr std::array<unsigned, 4> points{3, 0, 5, 1};
   Book book = Book::unpack(state);
-  book.scores[book.bet] += points[outcome(own, theirs)];
+  book.scores[book.bet] += points[Outcome{own, theirs}.index()];
   switch (book.bet) {
     case tit_for_tat: book.provoked = theirs == Move::D; break;
     case spiteful: book.spited = book.spited || own == Move::D || theirs == Move::D; break;

@@ -1,3 +1,4 @@
+#include <folk/games/outcome.h>
 #include <folk/strategies/standard/mem2_machine.h>
 
 #include <array>
@@ -47,8 +48,8 @@ State Mem2Machine::start() const { return Memo{}.pack(); }
 
 double Mem2Machine::cooperation(State state) const {
   const Memo memo = Memo::unpack(state);
-  const bool last_defected = (memo.last & 1U) != 0;
-  const bool before_defected = (memo.before & 1U) != 0;
+  const bool last_defected = all_outcomes[memo.last].theirs == Move::D;
+  const bool before_defected = all_outcomes[memo.before].theirs == Move::D;
   switch (memo.plan) {
     case tit_for_tat: return last_defected ? 0 : 1;
     case tit_for_two_tats: return last_defected && before_defected ? 0 : 1;
@@ -60,7 +61,7 @@ State Mem2Machine::next(State state, Move own, Move theirs) const {
   Memo memo = Memo::unpack(state);
   if (memo.plan == all_d_for_ever) return Memo{.plan = all_d_for_ever}.pack();
   memo.before = memo.last;
-  memo.last = static_cast<unsigned>(outcome(own, theirs));
+  memo.last = static_cast<unsigned>(Outcome{own, theirs}.index());
   memo.odd = !memo.odd;
   if (memory_ == Memory::stored_twice && memo.late) memo.before = memo.last;
   if (!memo.odd || (memory_ == Memory::stored_twice && memo.late)) memo.choose(memory_ == Memory::stored_twice);

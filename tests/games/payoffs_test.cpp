@@ -1,3 +1,4 @@
+#include <folk/games/outcome.h>
 #include <folk/games/payoffs.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -18,10 +19,10 @@ TEST(Payoffs, ReadsLettersInAnyOrder) {
 
 TEST(Payoffs, OutcomesAreInOrder) {
   const auto by_outcome = Payoffs{}.by_outcome();
-  EXPECT_EQ(by_outcome[outcome(Move::C, Move::C)], 3);
-  EXPECT_EQ(by_outcome[outcome(Move::C, Move::D)], 0);
-  EXPECT_EQ(by_outcome[outcome(Move::D, Move::C)], 5);
-  EXPECT_EQ(by_outcome[outcome(Move::D, Move::D)], 1);
+  EXPECT_EQ((by_outcome[Outcome{Move::C, Move::C}.index()]), 3);
+  EXPECT_EQ((by_outcome[Outcome{Move::C, Move::D}.index()]), 0);
+  EXPECT_EQ((by_outcome[Outcome{Move::D, Move::C}.index()]), 5);
+  EXPECT_EQ((by_outcome[Outcome{Move::D, Move::D}.index()]), 1);
 }
 
 TEST(Payoffs, RefusesTextsThatAreNoPayoffs) {

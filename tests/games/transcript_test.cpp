@@ -24,7 +24,7 @@ RC_GTEST_PROP(Transcript, SaysWhatAPlainListSays, (const std::vector<std::pair<b
   for (std::size_t t = 0; t < plain.size(); ++t) {
     RC_ASSERT(transcript.first(t) == plain[t].first);
     RC_ASSERT(transcript.second(t) == plain[t].second);
-    ++counts[outcome(plain[t].first, plain[t].second)];
+    ++counts[Outcome{plain[t].first, plain[t].second}.index()];
     firsts += to_char(plain[t].first);
     seconds += to_char(plain[t].second);
   }

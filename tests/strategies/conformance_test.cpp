@@ -151,7 +151,7 @@ TEST_P(Conformance, ItsCountersDriftByControlAlone) {
     if (before.size != then.size) continue;
     std::array<std::int64_t, 2> drift{};
     for (std::size_t c = 0; c < before.size; ++c) drift[c] = then.counters[c].value - before.counters[c].value;
-    const auto [known, fresh] = drifts.try_emplace({before.control, outcome(own, theirs)}, drift);
+    const auto [known, fresh] = drifts.try_emplace({before.control, Outcome{own, theirs}.index()}, drift);
     EXPECT_TRUE(fresh || known->second == drift) << strategy.name;
   }
 }

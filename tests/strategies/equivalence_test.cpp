@@ -19,15 +19,15 @@ constexpr Sense any_own = Sense::any_own_moves;
 
 std::shared_ptr<const Machine> machine(const std::string& name) { return Registry::standard().make(name).machine; }
 
-std::string own_moves(const std::vector<Round>& play) {
+std::string own_moves(const std::vector<Outcome>& play) {
   std::string text;
-  for (const Round& round : play) text += to_char(round.own);
+  for (const Outcome& round : play) text += to_char(round.own);
   return text;
 }
 
-std::string their_moves(const std::vector<Round>& play) {
+std::string their_moves(const std::vector<Outcome>& play) {
   std::string text;
-  for (const Round& round : play) text += to_char(round.theirs);
+  for (const Outcome& round : play) text += to_char(round.theirs);
   return text;
 }
 
@@ -42,9 +42,9 @@ Automaton random_automaton(bool mixing) {
   return Automaton(std::move(nodes), 0);
 }
 
-State after(const Machine& machine, const std::vector<Round>& play) {
+State after(const Machine& machine, const std::vector<Outcome>& play) {
   State state = machine.start();
-  for (const Round& round : play) state = machine.next(state, round.own, round.theirs);
+  for (const Outcome& round : play) state = machine.next(state, round.own, round.theirs);
   return state;
 }
 
@@ -52,10 +52,8 @@ State after(const Machine& machine, const std::vector<Round>& play) {
 bool separable(const Machine& a, State s, const Machine& b, State t, Sense sense, std::size_t rounds) {
   if (rounds == 0) return false;
   if (a.cooperation(s) != b.cooperation(t)) return true;
-  for (std::size_t o = 0; o < 4; ++o) {
-    if (!possible(a.cooperation(s), o, sense)) continue;
-    const Move own = move_from_bit(static_cast<unsigned>(o >> 1U));
-    const Move theirs = move_from_bit(static_cast<unsigned>(o));
+  for (const auto [own, theirs] : all_outcomes) {
+    if (!possible(a.cooperation(s), {own, theirs}, sense)) continue;
     if (separable(a, a.next(s, own, theirs), b, b.next(t, own, theirs), sense, rounds - 1)) return true;
   }
   return false;
@@ -186,8 +184,8 @@ RC_GTEST_PROP(EquivalenceProperty, ThePlaySeparatesAndNoShorterOneDoes, ()) {
   RC_ASSERT(b.cooperation(after(b, found.play)) == found.second);
   RC_ASSERT(found.first != found.second);
   State state = a.start();
-  for (const Round& round : found.play) {  // every round of the play can happen
-    RC_ASSERT(possible(a.cooperation(state), outcome(round.own, round.theirs), sense));
+  for (const Outcome& round : found.play) {  // every round of the play can happen
+    RC_ASSERT(possible(a.cooperation(state), round, sense));
     state = a.next(state, round.own, round.theirs);
   }
   RC_ASSERT(!separable(a, a.start(), b, b.start(), sense, std::min(found.play.size(), longest_brute)));

@@ -76,11 +76,11 @@ TEST(Facts, AStateWithoutEndIsUnbounded) {
 bool determined_by(const Automaton& automaton, const std::vector<std::uint32_t>& from, std::size_t rounds) {
   if (from.size() <= 1) return true;
   if (rounds == 0) return false;
-  for (std::size_t o = 0; o < 4; ++o) {
+  for (const Outcome outcome : all_outcomes) {
     std::set<std::uint32_t> to;
     for (const std::uint32_t s : from)
-      if (possible(automaton.nodes()[s].cooperation, o, Sense::own_moves_its_own))
-        to.insert(automaton.nodes()[s].next[o]);
+      if (possible(automaton.nodes()[s].cooperation, outcome, Sense::own_moves_its_own))
+        to.insert(automaton.nodes()[s].next[outcome.index()]);
     if (!determined_by(automaton, {to.begin(), to.end()}, rounds - 1)) return false;
   }
   return true;

@@ -17,8 +17,8 @@ TEST(Product, FollowsTheirOwnMovesOrAll) {
   // C D, D C, and round again.
   const auto feud = *product(tft, mistrust, Sense::own_moves_its_own);
   ASSERT_EQ(feud.size(), 2U);
-  EXPECT_EQ(feud[0].next[outcome(Move::C, Move::D)], 1U);
-  EXPECT_EQ(feud[1].next[outcome(Move::D, Move::C)], 0U);
+  EXPECT_EQ((feud[0].next[Outcome{Move::C, Move::D}.index()]), 1U);
+  EXPECT_EQ((feud[1].next[Outcome{Move::D, Move::C}.index()]), 0U);
 }
 
 TEST(Product, IsNothingWhenItIsTooLarge) {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include <folk/games/outcome.h>
 #include <folk/tools/ipd_match/output.h>
 
 namespace folk::tools {
@@ -70,10 +71,10 @@ void write_csv(std::ostream& out, const MatchSettings& settings, const MatchReco
   };
   out << "round,move1,move2,score1,score2,belief1,belief2\n";
   for (std::size_t t = 0; t < record.transcript.rounds(); ++t) {
-    const Move first = record.move(Seat::first, t);
-    const Move second = record.move(Seat::second, t);
-    out << fmt::format("{},{},{},{},{},{},{}\n", t + 1, to_char(first), to_char(second), texts[outcome(first, second)],
-                       texts[outcome(second, first)], belief(Seat::first, t), belief(Seat::second, t));
+    const Outcome outcome = record.transcript.outcome(t);
+    out << fmt::format("{},{},{},{},{},{},{}\n", t + 1, to_char(outcome.own), to_char(outcome.theirs),
+                       texts[outcome.index()], texts[outcome.exchanged().index()], belief(Seat::first, t),
+                       belief(Seat::second, t));
   }
 }
 

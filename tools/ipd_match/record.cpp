@@ -1,3 +1,4 @@
+#include <folk/games/outcome.h>
 #include <folk/tools/ipd_match/record.h>
 
 #include <folk/tools/choices/standard_names.h>
@@ -23,7 +24,8 @@ void drop_empty_beliefs(std::vector<double>& beliefs) {
 
 /// The payoff of one seat in one round.
 Rational payoff(const std::array<Rational, 4>& by_outcome, const MatchRecord& record, Seat seat, std::size_t round) {
-  return by_outcome[outcome(record.move(seat, round), record.move(other(seat), round))];
+  const Outcome outcome = record.transcript.outcome(round);
+  return by_outcome[(seat == Seat::first ? outcome : outcome.exchanged()).index()];
 }
 
 }  // namespace

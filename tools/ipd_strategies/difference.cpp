@@ -1,3 +1,4 @@
+#include <folk/games/outcome.h>
 #include <folk/tools/ipd_strategies/difference.h>
 
 #include <fmt/format.h>
@@ -13,9 +14,9 @@ using Json = nlohmann::ordered_json;
 
 const char* sense_text(Sense sense) { return sense == Sense::any_own_moves ? "any own moves" : "own moves its own"; }
 
-std::string moves_of(const std::vector<Round>& play, Move Round::*whose, const char* between) {
+std::string moves_of(const std::vector<Outcome>& play, Move Outcome::*whose, const char* between) {
   std::string text;
-  for (const Round& round : play) text += (text.empty() ? "" : between) + std::string(1, to_char(round.*whose));
+  for (const Outcome& round : play) text += (text.empty() ? "" : between) + std::string(1, to_char(round.*whose));
   return text;
 }
 
@@ -39,8 +40,8 @@ std::string difference_text(const Difference& difference) {
   }
   const std::string answers = plays(difference.first, found.first) + ", " + plays(difference.second, found.second);
   if (found.play.empty()) return fmt::format("different: in the first round {}", answers);
-  return fmt::format("different: after their moves {} (own {}): {}", moves_of(found.play, &Round::theirs, " "),
-                     moves_of(found.play, &Round::own, " "), answers);
+  return fmt::format("different: after their moves {} (own {}): {}", moves_of(found.play, &Outcome::theirs, " "),
+                     moves_of(found.play, &Outcome::own, " "), answers);
 }
 
 Json difference_json(const Difference& difference) {
@@ -55,8 +56,8 @@ Json difference_json(const Difference& difference) {
   json["play"] = nullptr;
   json["answers"] = nullptr;
   if (different) {
-    json["play"] = {{"own", moves_of(found.play, &Round::own, "")},
-                    {"theirs", moves_of(found.play, &Round::theirs, "")}};
+    json["play"] = {{"own", moves_of(found.play, &Outcome::own, "")},
+                    {"theirs", moves_of(found.play, &Outcome::theirs, "")}};
     json["answers"] = {{"first", found.first}, {"second", found.second}};
   }
   return json;
@@ -70,7 +71,7 @@ std::string difference_csv(const Difference& difference) {
       "{},{},{},{},{},{},{},{},{},{}\n",
       json["result"].get<std::string>(), json["sense"].get<std::string>(), csv_field(difference.first),
       csv_field(difference.second), difference.found.pairs, difference.found.depth,
-      moves_of(difference.found.play, &Round::own, ""), moves_of(difference.found.play, &Round::theirs, ""),
+      moves_of(difference.found.play, &Outcome::own, ""), moves_of(difference.found.play, &Outcome::theirs, ""),
       different ? fmt::format("{}", difference.found.first) : "",
       different ? fmt::format("{}", difference.found.second) : "");
 }

@@ -1,6 +1,7 @@
 // Answers the question of sce-check, opponent by opponent.
 
 #include <folk/analysis/play/criterion_table.h>
+#include <folk/games/outcome.h>
 #include <folk/tools/sce_check/report.h>
 
 #include <fmt/format.h>
@@ -33,7 +34,8 @@ EquilibriumQuestion equilibrium_question(const SceQuestion& question) {
 double payoff_of(const OutcomeWeights& weights, const Payoffs& payoffs, bool exchanged) {
   const auto numbers = payoffs.numbers();
   double sum = 0;
-  for (std::size_t o = 0; o < 4; ++o) sum += weights[o] * numbers[exchanged ? exchanged_outcome(o) : o];
+  for (const Outcome outcome : all_outcomes)
+    sum += weights[outcome.index()] * numbers[(exchanged ? outcome.exchanged() : outcome).index()];
   return sum;
 }
 
@@ -95,8 +97,8 @@ Scores scores_of(const BeliefRecord& record, const Payoffs& payoffs) {
     double own = 0;
     double theirs = 0;
     for (const auto& round : match) {
-      own += numbers[outcome(round.own, round.theirs)];
-      theirs += numbers[outcome(round.theirs, round.own)];
+      own += numbers[round.index()];
+      theirs += numbers[round.exchanged().index()];
     }
     scores.own += own;
     scores.theirs += theirs;

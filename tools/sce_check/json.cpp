@@ -1,5 +1,6 @@
 // What sce-check found, as JSON.
 
+#include <folk/games/outcome.h>
 #include <folk/tools/sce_check/output.h>
 
 #include <folk/strategies/machine_text.h>
@@ -24,7 +25,7 @@ Json path_of(const OpponentReport& report) {
   if (!report.path) return nullptr;
   std::string own;
   std::string theirs;
-  for (const Round& round : report.path->rounds) {
+  for (const Outcome& round : report.path->rounds) {
     own += to_char(round.own);
     theirs += to_char(round.theirs);
   }

@@ -1,3 +1,4 @@
+#include <folk/games/outcome.h>
 #include <folk/sct/data/recorded_play.h>
 #include <folk/tools/sct_train/data.h>
 
@@ -23,7 +24,7 @@ void check_rewards(const std::vector<sct::Trajectory>& data, const TrainConfig& 
   const auto payoffs = config.payoffs.numbers();
   for (std::size_t i = 0; i < data.size(); ++i)
     for (std::size_t t = 0; t < data[i].rounds(); ++t) {
-      const double payoff = payoffs[outcome(data[i].own[t], data[i].theirs[t])];
+      const double payoff = payoffs[Outcome{data[i].own[t], data[i].theirs[t]}.index()];
       if (std::abs(data[i].rewards[t] - payoff) > 1e-4 * std::max(1.0, std::abs(payoff)))
         throw InputFileError(fmt::format("{}: the reward at [{}, {}] is {}, where {} pays {}; give the data's payoffs",
                                          excerpt(config.data, 1000), i, t, data[i].rewards[t], to_text(config.payoffs),

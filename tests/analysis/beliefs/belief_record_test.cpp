@@ -64,7 +64,7 @@ TEST(BeliefRecord, DrawsAsTournamentsDo) {
   for (std::size_t i = 0; i < opponents.size(); ++i) {
     const auto result = play_group({{&policy, &opponents[i], i, false}}, over(40, 1)).front();
     OutcomeWeights counts{};
-    for (const auto& round : records[i].matches[0]) counts[outcome(round.own, round.theirs)] += 1;
+    for (const auto& round : records[i].matches[0]) counts[round.index()] += 1;
     EXPECT_EQ(counts, result.weights);
   }
 }

@@ -45,7 +45,7 @@ double expected(const Strategy& strategy, const BeliefMatch& path, std::uint64_t
       theirs = path[t].theirs;
     } else {
       if (t - from < own.size()) mine = own[t - from];
-      sum += payoffs[outcome(mine, theirs)];
+      sum += payoffs[Outcome{mine, theirs}.index()];
     }
     player->observe(mine, theirs);
   }

@@ -4,8 +4,8 @@
 namespace folk {
 namespace {
 
-std::vector<Round> rounds(const std::string& outcomes) {
-  std::vector<Round> history;
+std::vector<Outcome> rounds(const std::string& outcomes) {
+  std::vector<Outcome> history;
   for (std::size_t i = 0; i + 1 < outcomes.size(); i += 2)
     history.push_back({outcomes[i] == 'C' ? Move::C : Move::D, outcomes[i + 1] == 'C' ? Move::C : Move::D});
   return history;

@@ -88,7 +88,7 @@ TEST(PairGaps, OnlyPathsOfDSurviveWhereRoundsEnd) {
     bool all_d = true;
     for (unsigned t = 0; t < rounds; ++t) {
       path.rounds.push_back({move_from_bit(moves >> (2 * t)), move_from_bit(moves >> (2 * t + 1))});
-      all_d = all_d && path.rounds.back() == Round{Move::D, Move::D};
+      all_d = all_d && path.rounds.back() == Outcome{Move::D, Move::D};
     }
     const auto gaps = match_gaps(path, nullptr, nullptr, {{}, Criterion::finite(rounds), {}});
     const bool survives =

@@ -17,7 +17,7 @@ double by_enumeration(const Automaton& opponent, State state, double continuatio
   double best = 0;
   for (const Move own : {Move::C, Move::D})
     best = std::max(
-        best, payoffs[outcome(own, theirs)] +
+        best, payoffs[Outcome{own, theirs}.index()] +
                   continuation * by_enumeration(opponent, opponent.next(state, theirs, own), continuation, left - 1));
   return best;
 }

@@ -24,7 +24,7 @@ double best_along(const PlayPath& path, const Criterion& criterion) {
   const std::size_t n = path.rounds.size();
   if (criterion.kind() == Criterion::Kind::mean) {
     double sum = 0;
-    for (std::size_t t = *path.cycle; t < n; ++t) sum += numbers[outcome(path.rounds[t].own, path.rounds[t].theirs)];
+    for (std::size_t t = *path.cycle; t < n; ++t) sum += numbers[path.rounds[t].index()];
     return std::max(1.0, sum / static_cast<double>(n - *path.cycle));
   }
   std::vector<double> values(n + 1);
@@ -34,8 +34,8 @@ double best_along(const PlayPath& path, const Criterion& criterion) {
     for (std::size_t t = n; t-- > 0;) {
       const auto [own, theirs] = path.rounds[t];
       const double punished = criterion.is_finite() ? static_cast<double>(n - t - 1) : d * weight / (1 - d);
-      values[t] = std::max(weight * numbers[outcome(own, theirs)] + d * values[t + 1],
-                           weight * numbers[outcome(other(own), theirs)] + punished);
+      values[t] = std::max(weight * numbers[Outcome{own, theirs}.index()] + d * values[t + 1],
+                           weight * numbers[Outcome{other(own), theirs}.index()] + punished);
     }
   }
   return values[0];

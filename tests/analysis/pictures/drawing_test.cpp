@@ -97,8 +97,8 @@ RC_GTEST_PROP(DrawingProperty, EveryStateAndEveryEdgeIsDrawnOnce, ()) {
     RC_ASSERT(count(dot, "\n  s" + std::to_string(s) + " [") == 1U);
     for (std::uint32_t t = 0; t < size; ++t) {
       bool edge = false;
-      for (std::size_t o = 0; o < 4; ++o)
-        edge = edge || (possible(nodes[s].cooperation, o, sense) && nodes[s].next[o] == t);
+      for (const Outcome outcome : all_outcomes)
+        edge = edge || (possible(nodes[s].cooperation, outcome, sense) && nodes[s].next[outcome.index()] == t);
       RC_ASSERT(count(dot, "\n  s" + std::to_string(s) + " -> s" + std::to_string(t) + " [") == (edge ? 1U : 0U));
     }
   }

@@ -3,6 +3,7 @@
 
 #include <folk/analysis/play/pair_result.h>
 #include <folk/games/criterion.h>
+#include <folk/games/outcome.h>
 #include <folk/games/random.h>
 #include <folk/strategies/automaton.h>
 
@@ -20,7 +21,7 @@ inline OutcomeWeights play_naively(const Machine& a, const Machine& b, std::uint
   for (std::uint64_t t = 0; t < rounds; ++t) {
     const Move own = move_of(a, x);
     const Move theirs = move_of(b, y);
-    weights[outcome(own, theirs)] += weight;
+    weights[Outcome{own, theirs}.index()] += weight;
     weight *= continuation;
     x = a.next(x, own, theirs);
     y = b.next(y, theirs, own);

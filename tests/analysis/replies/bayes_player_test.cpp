@@ -43,7 +43,7 @@ Seen seen(const std::string& name, const std::string& opponent, std::uint64_t ro
   other->start({{}, Criterion::finite(rounds), {.role = 1}});
   Seen found;
   play_match(*player, *other, rounds, NoNoise{}, [&](Move own, Move theirs) {
-    found.total += std::array{3, 0, 5, 1}[outcome(own, theirs)];
+    found.total += std::array{3, 0, 5, 1}[Outcome{own, theirs}.index()];
     found.right += likelier_move(*player->belief()) == theirs ? 1 : 0;
     ++found.rounds;
   });

@@ -13,12 +13,7 @@
 namespace folk {
 namespace {
 
-struct Round {
-  Move own;
-  Move theirs;
-};
-
-using History = std::vector<Round>;
+using History = std::vector<Outcome>;
 
 /// Where a machine stands after this play, and whether it would have played so.
 struct Replayed {
@@ -61,7 +56,7 @@ struct Plain {
     for (const Move theirs : {Move::C, Move::D}) {
       const double weight = theirs == Move::C ? cooperating : all - cooperating;
       if (weight == 0) continue;
-      sum += weight * to_double(payoffs.by_outcome()[outcome(own, theirs)]);
+      sum += weight * to_double(payoffs.by_outcome()[Outcome{own, theirs}.index()]);
       History longer = history;
       longer.push_back({own, theirs});
       if (longer.size() < rounds) sum += std::max(total(longer, Move::C), total(longer, Move::D));
@@ -78,7 +73,7 @@ double earned(const BayesReply& reply, const Machine& opponent, const Payoffs& p
   for (std::uint64_t t = 0; t < rounds; ++t) {
     const Move own = reply.best(node);
     const Move theirs = move_of(opponent, state);
-    total += to_double(payoffs.by_outcome()[outcome(own, theirs)]);
+    total += to_double(payoffs.by_outcome()[Outcome{own, theirs}.index()]);
     state = opponent.next(state, theirs, own);
     node = reply.next(node, own, theirs);
   }

@@ -21,7 +21,7 @@ double total_of(const std::vector<Move>& moves, const Machine& opponent, const P
   State state = opponent.start();
   for (const Move own : moves) {
     const Move theirs = move_of(opponent, state);
-    total += by_outcome[outcome(own, theirs)];
+    total += by_outcome[Outcome{own, theirs}.index()];
     state = opponent.next(state, theirs, own);
   }
   return to_double(total);
@@ -39,7 +39,7 @@ double by_recursion(const Machine& opponent, State state, unsigned left, double 
       const double chance = theirs == Move::C ? p : 1 - p;
       if (chance == 0) continue;
       const State next = opponent.next(state, theirs, own);
-      value += chance * (sign * payoffs[outcome(own, theirs)] + by_recursion(opponent, next, left - 1, sign));
+      value += chance * (sign * payoffs[Outcome{own, theirs}.index()] + by_recursion(opponent, next, left - 1, sign));
     }
     best = std::max(best, value);
   }

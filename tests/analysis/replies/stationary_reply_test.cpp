@@ -34,8 +34,8 @@ Rational exactly(const Automaton& opponent, const std::vector<Move>& moves, cons
   std::vector<double> rewards;
   for (std::size_t s = 0; s < opponent.size(); ++s) {
     const Move theirs = opponent.nodes()[s].cooperation == 1 ? Move::C : Move::D;
-    next.push_back(opponent.nodes()[s].next[outcome(theirs, moves[s])]);
-    rewards.push_back(to_double(Rational(payoffs.by_outcome()[outcome(moves[s], theirs)] * 6)));
+    next.push_back(opponent.nodes()[s].next[Outcome{theirs, moves[s]}.index()]);
+    rewards.push_back(to_double(Rational(payoffs.by_outcome()[Outcome{moves[s], theirs}.index()] * 6)));
   }
   return Flow(next, rewards, 6, criterion).value(static_cast<std::uint32_t>(opponent.start()));
 }

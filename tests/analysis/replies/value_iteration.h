@@ -2,6 +2,7 @@
 // Best replies by value iteration: slow, obvious, and sharing nothing with policy iteration.
 
 #include <folk/games/criterion.h>
+#include <folk/games/outcome.h>
 #include <folk/games/payoffs.h>
 #include <folk/strategies/automaton.h>
 
@@ -38,9 +39,9 @@ inline std::vector<double> reply_values(const Automaton& opponent, const Payoffs
             const double p = opponent.nodes()[s].cooperation;
             const double really_c = p * (1 - noise) + (1 - p) * noise;
             const double chance = (own == meant ? 1 - noise : noise) * (theirs == Move::C ? really_c : 1 - really_c);
-            const auto after = opponent.nodes()[s].next[outcome(theirs, own)];
+            const auto after = opponent.nodes()[s].next[Outcome{theirs, own}.index()];
             worth[bit(meant)] +=
-                chance * (weight * numbers[outcome(own, theirs)] + criterion.continuation() * values[after]);
+                chance * (weight * numbers[Outcome{own, theirs}.index()] + criterion.continuation() * values[after]);
           }
       next[s] = std::max(worth[0], worth[1]);
     }

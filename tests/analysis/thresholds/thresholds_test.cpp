@@ -42,8 +42,8 @@ public:
       const std::size_t s = open.back();
       open.pop_back();
       gain = std::max(gain, one_shot_gain(side, s));
-      for (std::size_t o = 0; o < 4; ++o)
-        if (const std::size_t next = after(s, o); !seen[next]) {
+      for (const Outcome outcome : all_outcomes)
+        if (const std::size_t next = after(s, outcome); !seen[next]) {
           seen[next] = true;
           open.push_back(next);
         }
@@ -59,7 +59,8 @@ public:
         const Move theirs = move_of(opponent, y);
         double best = -1e9;
         for (const Move own : {Move::C, Move::D})
-          best = std::max(best, (1 - d_) * payoff_[outcome(own, theirs)] + d_ * value[opponent.next(y, theirs, own)]);
+          best = std::max(best,
+                          (1 - d_) * payoff_[Outcome{own, theirs}.index()] + d_ * value[opponent.next(y, theirs, own)]);
         value[y] = best;
       }
     return value[opponent.start()] - worth(side, start());
@@ -68,7 +69,7 @@ public:
   /// Of one deviation from the plans after this history.
   double gain_of(const Binding& binding) const {
     std::size_t s = start();
-    for (const Round& round : binding.history) s = after(s, outcome(round.own, round.theirs));
+    for (const Outcome& round : binding.history) s = after(s, round);
     EXPECT_NE(own_move(binding.side, s), binding.deviation);
     if (binding.then == Binding::Then::minmax) return punished_gain(binding.side, s);
     if (binding.then == Binding::Then::plan) return one_shot_gain(binding.side, s);
@@ -78,24 +79,19 @@ public:
 private:
   std::size_t start() const { return machines_[0]->start() * columns_ + machines_[1]->start(); }
 
-  std::size_t planned(std::size_t s) const {
-    return outcome(move_of(*machines_[0], s / columns_), move_of(*machines_[1], s % columns_));
+  Outcome planned(std::size_t s) const {
+    return {move_of(*machines_[0], s / columns_), move_of(*machines_[1], s % columns_)};
   }
 
-  Move own_move(Seat side, std::size_t s) const {
-    return move_from_bit(static_cast<unsigned>(side == Seat::first ? planned(s) >> 1U : planned(s)));
-  }
+  Move own_move(Seat side, std::size_t s) const { return side == Seat::first ? planned(s).own : planned(s).theirs; }
 
-  std::size_t after(std::size_t s, std::size_t o) const {
-    const Move a = move_from_bit(static_cast<unsigned>(o >> 1U));
-    const Move b = move_from_bit(static_cast<unsigned>(o));
+  std::size_t after(std::size_t s, Outcome outcome) const {
+    const auto [a, b] = outcome;
     return machines_[0]->next(s / columns_, a, b) * columns_ + machines_[1]->next(s % columns_, b, a);
   }
 
-  double payoff(Seat side, std::size_t o) const {
-    return payoff_[side == Seat::first ? o
-                                       : outcome(move_from_bit(static_cast<unsigned>(o)),
-                                                 move_from_bit(static_cast<unsigned>(o >> 1U)))];
+  double payoff(Seat side, Outcome outcome) const {
+    return payoff_[(side == Seat::first ? outcome : outcome.exchanged()).index()];
   }
 
   double worth(Seat side, std::size_t s) const { return worth_[side == Seat::first ? 0 : 1][s]; }
@@ -121,13 +117,18 @@ private:
     }
   }
 
+  static Outcome deviated(Seat side, Outcome outcome) {
+    return side == Seat::first ? Outcome{other(outcome.own), outcome.theirs}
+                               : Outcome{outcome.own, other(outcome.theirs)};
+  }
+
   double one_shot_gain(Seat side, std::size_t s) const {
-    const std::size_t o = planned(s) ^ (side == Seat::first ? 2U : 1U);
+    const Outcome o = deviated(side, planned(s));
     return (1 - d_) * payoff(side, o) + d_ * worth(side, after(s, o)) - worth(side, s);
   }
 
   double punished_gain(Seat side, std::size_t s) const {
-    const std::size_t o = planned(s) ^ (side == Seat::first ? 2U : 1U);
+    const Outcome o = deviated(side, planned(s));
     return (1 - d_) * payoff(side, o) + d_ * mixed_minmax() - worth(side, s);
   }
 
@@ -157,7 +158,7 @@ Automaton machine(const std::string& name) {
 
 std::string plays(const Binding& binding) {
   std::string text;
-  for (const Round& round : binding.history) text += {to_char(round.own), to_char(round.theirs), ' '};
+  for (const Outcome& round : binding.history) text += {to_char(round.own), to_char(round.theirs), ' '};
   return text + (binding.side == Seat::first ? "first " : "second ") + to_char(binding.deviation);
 }
 

@@ -103,7 +103,7 @@ TEST_P(TransformerTest, MovesAndBeliefsAreTheThinkers) {
     const Move theirs = draw.chance(0.5) ? Move::C : Move::D;
     player->observe(played, theirs);
     constexpr std::array rewards{3.0, 0.0, 5.0, 1.0};
-    remember(memory, played, theirs, likelier_move(thought.belief), rewards[outcome(played, theirs)] / 10);
+    remember(memory, played, theirs, likelier_move(thought.belief), rewards[Outcome{played, theirs}.index()] / 10);
   }
 }
 
