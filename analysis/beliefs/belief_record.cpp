@@ -1,7 +1,7 @@
 #include <folk/analysis/beliefs/belief_record.h>
 #include <folk/analysis/play/group_play.h>
 #include <folk/games/error.h>
-#include <folk/games/seat.h>
+#include <folk/games/match_key.h>
 
 #include <fmt/format.h>
 
@@ -27,8 +27,8 @@ public:
 
   void start(const Sampling& sampling, std::uint64_t repetition) {
     for (const Seat seat : both_seats)
-      player(seat).start(
-          {sampling.payoffs, sampling.criterion, {sampling.seed, opponent_number_, repetition, index(seat)}});
+      player(seat).start({sampling.payoffs, sampling.criterion,
+                          match_key(sampling.seed, opponent_number_, repetition, role_of(seat))});
     if (machine_ != nullptr) state_ = machine_->start();
     match_.clear();
     match_.reserve(sampling.criterion.rounds());

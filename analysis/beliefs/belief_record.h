@@ -40,8 +40,8 @@ bool is_deterministic(const Strategy& strategy);
 
 /// Plays `policy` against each of `opponents` under sampling.criterion, which must be finite:T, and returns the records
 /// in the order of the opponents. A pair of which nobody draws random numbers plays one match, any other
-/// sampling.repetitions of them: match r against opponent i draws from the keys (seed, i, r, role), role 0 the policy's
-/// and 1 the opponent's.
+/// sampling.repetitions of them: match r against opponent i draws from match_key(seed, i, r, role), the policy in the
+/// first seat.
 ///
 /// Where both sides are machines or think together, up to most_matches_at_once matches are played side by side with
 /// sampling.threads threads; the records depend on neither. `progress` is told the finished share, 0 to 1.

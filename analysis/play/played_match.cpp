@@ -70,10 +70,10 @@ PlayedMatch::PlayedMatch(const Contest& contest, const Sampling& sampling)
 }
 
 void PlayedMatch::start(std::uint64_t repetition) {
-  const auto key = [&](std::uint64_t role) { return RandomKey{sampling_.seed, contest_.pair, repetition, role}; };
-  for (const Seat seat : both_seats) player(seat).start({sampling_.payoffs, sampling_.criterion, key(index(seat))});
-  noise_.emplace(key(2));
-  rounds_left_ = length_of_match(sampling_.criterion, contest_.once, key(3));
+  const auto key = [&](MatchRole role) { return match_key(sampling_.seed, contest_.pair, repetition, role); };
+  for (const Seat seat : both_seats) player(seat).start({sampling_.payoffs, sampling_.criterion, key(role_of(seat))});
+  noise_.emplace(key(MatchRole::noise));
+  rounds_left_ = length_of_match(sampling_.criterion, contest_.once, key(MatchRole::length));
   weight_ = 1;
   weights_ = {};
   guesses_ = {};

@@ -3,7 +3,7 @@
 
 #include <folk/analysis/play/pair_result.h>
 #include <folk/analysis/play/sampling.h>
-#include <folk/games/random.h>
+#include <folk/games/match_key.h>
 #include <folk/games/seat.h>
 #include <folk/strategies/strategy.h>
 
@@ -35,8 +35,8 @@ public:
 
   const Contest& contest() const { return contest_; }
 
-  /// A new match begins, with the same players: the one with this number. It draws from the keys (seed, pair,
-  /// repetition, role), where the roles are the two players, noise and length.
+  /// A new match begins, with the same players: the one with this number. Whatever is drawn has its
+  /// match_key(seed, pair, repetition, role).
   void start(std::uint64_t repetition);
 
   std::uint64_t rounds_left() const { return rounds_left_; }

@@ -9,7 +9,7 @@
 
 namespace folk {
 
-/// Plays the pair again and again, as play_group does; match r draws from the keys (seed, pair, r, role).
+/// Plays the pair again and again, as play_group does; match r draws from match_key(seed, pair, r, role).
 /// finite: T rounds. ending: the length of each match is drawn. discounted: until what is left weighs less than 1e-12.
 /// mean: long_run_rounds rounds. Throws UsageError when that is more than 10^8 rounds in all.
 PairResult play_sampled(const Strategy& first, const Strategy& second, std::uint64_t pair, const Sampling& sampling);

@@ -1,7 +1,7 @@
 #include <folk/analysis/replies/finite_best_reply.h>
 #include <folk/games/criterion.h>
+#include <folk/games/match_key.h>
 #include <folk/games/outcome.h>
-#include <folk/games/random.h>
 #include <folk/sct/data/recorded_play.h>
 
 #include <memory>
@@ -22,16 +22,16 @@ struct Table {
 std::vector<Trajectory> play_and_record(const Strategy& player, const std::vector<Strategy>& roster,
                                         const Payoffs& payoffs, std::uint64_t rounds, double slip,
                                         std::uint64_t repetitions, std::uint64_t seed, unsigned threads) {
-  constexpr std::uint64_t slip_role = 2;
   const auto rewards = payoffs.numbers();
   std::vector<Table> tables;
   std::vector<Trajectory> data;
   std::vector<Player*> players;
   for (std::size_t i = 0; i < roster.size(); ++i)
     for (std::uint64_t r = 0; r < repetitions; ++r) {
-      tables.push_back({player.new_player(), roster[i].new_player(), RandomStream({seed, i, r, slip_role})});
-      tables.back().player->start({payoffs, Criterion::finite(rounds), {seed, i, r, 0}});
-      tables.back().opponent->start({payoffs, Criterion::finite(rounds), {seed, i, r, 1}});
+      const auto key = [&](MatchRole role) { return match_key(seed, i, r, role); };
+      tables.push_back({player.new_player(), roster[i].new_player(), RandomStream(key(MatchRole::noise))});
+      tables.back().player->start({payoffs, Criterion::finite(rounds), key(MatchRole::first)});
+      tables.back().opponent->start({payoffs, Criterion::finite(rounds), key(MatchRole::second)});
       players.push_back(tables.back().player.get());
       data.push_back({player.name, roster[i].name, {}, {}, {}});
     }

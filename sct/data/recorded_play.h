@@ -11,7 +11,7 @@
 namespace folk::sct {
 
 /// Matches of a player against each member of a roster. Its moves slip with probability `slip`, the opponents' never
-/// do; slips of match r against member i are drawn from the key (seed, i, r).
+/// do; match r against member i draws from match_key(seed, i, r, role).
 std::vector<Trajectory> play_and_record(const Strategy& player, const std::vector<Strategy>& roster,
                                         const Payoffs& payoffs, std::uint64_t rounds, double slip,
                                         std::uint64_t repetitions, std::uint64_t seed, unsigned threads = 1);

@@ -1,4 +1,5 @@
 #include <folk/games/match.h>
+#include <folk/games/match_key.h>
 #include <folk/games/outcome.h>
 #include <folk/sct/data/tournament_data.h>
 
@@ -14,8 +15,8 @@ std::vector<Trajectory> tournament_data(const std::vector<Strategy>& roster, con
         const auto first = roster[i].new_player();
         const auto second = roster[j].new_player();
         const std::uint64_t pair = i * roster.size() + j;
-        first->start({payoffs, Criterion::finite(rounds), {seed, pair, r, 0}});
-        second->start({payoffs, Criterion::finite(rounds), {seed, pair, r, 1}});
+        first->start({payoffs, Criterion::finite(rounds), match_key(seed, pair, r, MatchRole::first)});
+        second->start({payoffs, Criterion::finite(rounds), match_key(seed, pair, r, MatchRole::second)});
         Trajectory mine{roster[i].name, roster[j].name, {}, {}, {}};
         Trajectory theirs{roster[j].name, roster[i].name, {}, {}, {}};
         play_match(*first, *second, rounds, NoNoise{}, [&](Move a, Move b) {

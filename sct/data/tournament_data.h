@@ -11,7 +11,7 @@
 namespace folk::sct {
 
 /// One trajectory for every ordered pair of the roster, self-play included: both sides of every pair.
-/// Where chance has a part, give `repetitions`; match r draws from the keys (seed, pair, r, role).
+/// Where chance has a part, give `repetitions`; match r draws from match_key(seed, pair, r, role).
 std::vector<Trajectory> tournament_data(const std::vector<Strategy>& roster, const Payoffs& payoffs,
                                         std::uint64_t rounds, std::uint64_t repetitions = 1, std::uint64_t seed = 1);
 

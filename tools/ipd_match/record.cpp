@@ -5,7 +5,7 @@
 
 #include <folk/games/criterion.h>
 #include <folk/games/match.h>
-#include <folk/games/random.h>
+#include <folk/games/match_key.h>
 #include <folk/strategies/player.h>
 #include <folk/strategies/registry.h>
 
@@ -41,9 +41,9 @@ MatchRecord play_one(const MatchSettings& settings, const std::function<void(dou
       record.caveats.push_back(strategy.caveat);
     players[index(seat)] = strategy.new_player();
     players[index(seat)]->start(
-        {settings.game.payoffs, Criterion::finite(settings.rounds), RandomKey{settings.seed, 0, 0, index(seat)}});
+        {settings.game.payoffs, Criterion::finite(settings.rounds), match_key(settings.seed, 0, 0, role_of(seat))});
   }
-  RandomStream noise(RandomKey{settings.seed, 0, 0, 2});
+  RandomStream noise(match_key(settings.seed, 0, 0, MatchRole::noise));
   std::size_t asked = 0;
   const auto slips = [&] {
     const bool slip = noise.chance(settings.noise);
