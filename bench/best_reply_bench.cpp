@@ -29,7 +29,7 @@ void reply_to_1000_states(benchmark::State& state, const char* criterion, bool p
   for (std::uint64_t seed = 0; seed < 10; ++seed) machines.push_back(random_machine(seed, 1000, pure));
   std::size_t i = 0;
   for (auto _ : state)
-    benchmark::DoNotOptimize(best_reply(machines[i++ % machines.size()], {}, Criterion::parse(criterion)));
+    benchmark::DoNotOptimize(best_reply(machines[i++ % machines.size()], {{}, Criterion::parse(criterion)}));
 }
 BENCHMARK_CAPTURE(reply_to_1000_states, exact_discounted_0_99, "discounted:0.99", true)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(reply_to_1000_states, mixing_discounted_0_99, "discounted:0.99", false)

@@ -101,7 +101,7 @@ void check(const Strategy& policy, const Sampling& sampling, std::uint64_t match
                     policy.name, sampling.criterion.to_string()));
   if (sampling.noise > 0)
     throw UsageError(fmt::format("beliefs of {} are recorded without noise, not with {}: give noise 0", policy.name,
-                                 sampling.noise));
+                                 sampling.noise.probability()));
   const std::uint64_t rounds = sampling.criterion.rounds();
   if (rounds > most_recorded_rounds || matches > most_recorded_rounds / rounds)
     throw UsageError(
@@ -121,13 +121,13 @@ std::vector<BeliefRecord> record_beliefs(const Strategy& policy, const std::vect
   std::uint64_t matches = 0;
   for (const auto& opponent : opponents) {
     records.push_back({opponent.name, is_deterministic(policy) && is_deterministic(opponent), {}});
-    matches += records.back().once ? 1 : sampling.repetitions;
+    matches += records.back().once ? 1 : sampling.repetitions.count();
   }
   check(policy, sampling, matches);
 
   std::vector<Planned> seats;
   for (std::size_t i = 0; i < opponents.size(); ++i)
-    for (std::uint64_t r = 0; r < (records[i].once ? 1 : sampling.repetitions); ++r) seats.push_back({i, r});
+    for (std::uint64_t r = 0; r < (records[i].once ? 1 : sampling.repetitions.count()); ++r) seats.push_back({i, r});
 
   const Company company(policy, opponents);
   std::vector<std::unique_ptr<Table>> tables;

@@ -53,7 +53,7 @@ Gap reply_gap(const PlayPath& path, const PathPayoffs& paid, const BestReply& re
 Gap nash_gap(const PlayPath& path, const Machine& theirs, const Payoffs& payoffs, const Criterion& criterion,
              unsigned horizon) {
   const PathPayoffs paid(path, payoffs, criterion);
-  return reply_gap(path, paid, best_reply(theirs, payoffs, criterion, {0, horizon}));
+  return reply_gap(path, paid, best_reply(theirs, {payoffs, criterion}, horizon));
 }
 
 double expected_payoff(const Automaton& own, const Automaton& theirs, const Payoffs& payoffs,
@@ -70,7 +70,7 @@ double expected_payoff(const Automaton& own, const Automaton& theirs, const Payo
 
 Gap nash_gap(const Automaton& own, const Automaton& theirs, const Payoffs& payoffs, const Criterion& criterion) {
   const double paid = expected_payoff(own, theirs, payoffs, criterion);
-  const BestReply reply = best_reply(theirs, payoffs, criterion);
+  const BestReply reply = best_reply(theirs, {payoffs, criterion});
   const double rounding = reply.residual + rounding_of(payoffs, criterion);
   Gap gap = rounded_gap(reply.payoff - paid, rounding, {{}, std::nullopt, "best reply", {}});
   if (gap.gain > 0) gap.witness.reply = std::make_shared<const Automaton>(reply.machine);

@@ -82,7 +82,7 @@ bool gains_from_company(const Contest& contest) {
 }
 
 std::uint64_t repetitions(const Contest& contest, const Sampling& sampling) {
-  return contest.once ? 1 : sampling.repetitions;
+  return contest.once ? 1 : sampling.repetitions.count();
 }
 
 /// The matches to be played, contest by contest.

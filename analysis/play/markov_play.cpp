@@ -17,13 +17,12 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// P(C) and P(D) of the move really played, each without cancellation.
-std::array<double, 2> really_played(double intended, double noise) {
+std::array<double, 2> really_played(double intended, Noise noise) {
   return {intended * (1 - noise) + (1 - intended) * noise, (1 - intended) * (1 - noise) + intended * noise};
 }
 
 /// The joint states of a pair in breadth-first order, start first.
-std::optional<MarkovChain> joint_chain(const Automaton& first, const Automaton& second, double noise,
-                                       std::size_t most) {
+std::optional<MarkovChain> joint_chain(const Automaton& first, const Automaton& second, Noise noise, std::size_t most) {
   const auto joint_states = product(first, second, noise > 0 ? Sense::any_own_moves : Sense::own_moves_its_own, most);
   if (!joint_states) return std::nullopt;
   MarkovChain chain;
@@ -188,7 +187,7 @@ std::optional<OutcomeWeights> finite_sum(const MarkovChain& chain, std::uint64_t
 
 }  // namespace
 
-std::optional<PairResult> play_markov(const Automaton& first, const Automaton& second, double noise,
+std::optional<PairResult> play_markov(const Automaton& first, const Automaton& second, Noise noise,
                                       const Criterion& criterion, const MarkovLimits& limits) {
   const auto chain = joint_chain(first, second, noise, limits.joint_states);
   if (!chain) return std::nullopt;

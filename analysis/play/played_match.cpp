@@ -47,8 +47,8 @@ void check_length(const Contest& contest, const Sampling& sampling) {
   if (contest.once)
     throw UsageError(
         fmt::format("a match under {} is more than {} rounds", sampling.criterion.to_string(), most_steps));
-  throw UsageError(fmt::format("{} repetitions under {} are more than {} rounds: give fewer", sampling.repetitions,
-                               sampling.criterion.to_string(), most_steps));
+  throw UsageError(fmt::format("{} repetitions under {} are more than {} rounds: give fewer",
+                               sampling.repetitions.count(), sampling.criterion.to_string(), most_steps));
 }
 
 PlayedMatch::PlayedMatch(const Contest& contest, const Sampling& sampling)

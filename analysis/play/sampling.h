@@ -1,19 +1,28 @@
 #pragma once
 // How what cannot be solved is played.
 
-#include <folk/games/criterion.h>
-#include <folk/games/payoffs.h>
+#include <folk/games/match_rules.h>
 
 #include <cstdint>
 
 namespace folk {
 
+/// How often a match is played: a whole number that cannot be 0, and stands wherever one does.
+class Repetitions {
+public:
+  /// Throws UsageError for 0.
+  Repetitions(std::uint64_t count);
+
+  std::uint64_t count() const { return count_; }
+  operator std::uint64_t() const { return count_; }
+
+private:
+  std::uint64_t count_;
+};
+
 /// How a pair is sampled.
-struct Sampling {
-  Payoffs payoffs;
-  Criterion criterion = Criterion::finite(100);
-  double noise = 0;
-  std::uint64_t repetitions = 100;
+struct Sampling : MatchRules {
+  Repetitions repetitions = 100;
   std::uint64_t seed = 1;
   unsigned threads = 1;  ///< for players that think together
 };

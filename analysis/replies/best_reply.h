@@ -1,8 +1,7 @@
 #pragma once
 // The best reply to a machine under any criterion: what it earns, and the reply itself as a machine.
 
-#include <folk/games/criterion.h>
-#include <folk/games/payoffs.h>
+#include <folk/games/match_rules.h>
 #include <folk/games/rational.h>
 #include <folk/strategies/automaton.h>
 
@@ -20,15 +19,10 @@ struct BestReply {
   Automaton machine;  ///< plays the reply; knows the opponent's state from what was really played
 };
 
-struct BestReplyOptions {
-  double noise = 0;      ///< every move of both sides flips with this probability
-  unsigned horizon = 0;  ///< for machines without end under criteria without end: rounds that are unrolled
-};
-
 /// Dynamic programming over (state, rounds left) for finite:T, policy iteration on the machine's states else.
+/// `horizon`: for machines without end under criteria without end, rounds that are unrolled.
 /// Throws UsageError when the machine is infinite, the criterion has no end and no horizon is given (for mean: always),
 /// and on sizes that cannot be solved.
-BestReply best_reply(const Machine& opponent, const Payoffs& payoffs, const Criterion& criterion,
-                     const BestReplyOptions& options = {});
+BestReply best_reply(const Machine& opponent, const MatchRules& rules, unsigned horizon = 0);
 
 }  // namespace folk

@@ -30,7 +30,7 @@ bool ClassReplies::endless(std::size_t member) const {
 const BestReply& ClassReplies::reply(std::size_t member) {
   auto& reply = replies_[member];
   try {
-    if (!reply) reply = best_reply(*members_[member].machine, payoffs_, criterion_, {0, horizon_});
+    if (!reply) reply = best_reply(*members_[member].machine, {payoffs_, criterion_}, horizon_);
   } catch (const UsageError& error) {
     throw UsageError(fmt::format("{}, of the class of beliefs: {}", members_[member].name, error.what()));
   }

@@ -19,7 +19,7 @@ namespace {
 /// What a move earns that is answered by C with probability p: the mean of what follows that C and a D.
 double expected(double p, double after_c, double after_d) { return p * after_c + (1 - p) * after_d; }
 
-ReplyProblem problem_within(const Machine& machine, const Payoffs& payoffs, std::uint64_t rounds, double noise) {
+ReplyProblem problem_within(const Machine& machine, const Payoffs& payoffs, std::uint64_t rounds, Noise noise) {
   if (rounds == 0) throw UsageError("a best reply over 0 rounds is no play: give 1 or more");
   const Sense sense = noise > 0 ? Sense::any_own_moves : Sense::own_moves_its_own;
   ReplyProblem problem = reply_problem(table_for(machine, Criterion::finite(rounds), sense, 0), payoffs, noise);
@@ -29,7 +29,7 @@ ReplyProblem problem_within(const Machine& machine, const Payoffs& payoffs, std:
 
 }  // namespace
 
-FiniteBestReply::FiniteBestReply(const Machine& opponent, const Payoffs& payoffs, std::uint64_t rounds, double noise)
+FiniteBestReply::FiniteBestReply(const Machine& opponent, const Payoffs& payoffs, std::uint64_t rounds, Noise noise)
     : FiniteBestReply(problem_within(opponent, payoffs, rounds, noise), rounds) {}
 
 FiniteBestReply::FiniteBestReply(ReplyProblem problem, std::uint64_t rounds)

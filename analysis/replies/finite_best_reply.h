@@ -3,6 +3,7 @@
 
 #include <folk/analysis/replies/reply_problem.h>
 #include <folk/games/move.h>
+#include <folk/games/noise.h>
 #include <folk/games/payoffs.h>
 #include <folk/games/rational.h>
 #include <folk/strategies/automaton.h>
@@ -28,7 +29,7 @@ public:
 
   /// Throws UsageError when rounds = 0, on more than most_decisions, on a machine that reaches more than 2^20 states,
   /// and on totals beyond 2^53 in units of the payoffs' last digit.
-  FiniteBestReply(const Machine& opponent, const Payoffs& payoffs, std::uint64_t rounds, double noise = 0);
+  FiniteBestReply(const Machine& opponent, const Payoffs& payoffs, std::uint64_t rounds, Noise noise = {});
 
   /// The same for any reply problem.
   FiniteBestReply(ReplyProblem problem, std::uint64_t rounds);

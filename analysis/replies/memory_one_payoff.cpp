@@ -12,15 +12,11 @@ namespace folk {
 
 Automaton MemoryOne::machine() const { return memory_one(opening == Move::C ? 1 : 0, after); }
 
-Population::Population(std::vector<PopulationMember> members, const Payoffs& payoffs, const Criterion& criterion,
-                       double noise)
+Population::Population(std::vector<PopulationMember> members, const MatchRules& rules)
     : members_(std::move(members)),
-      payoffs_(payoffs),
-      numbers_(payoffs.numbers()),
-      criterion_(criterion),
-      noise_(noise) {
+      rules_(rules),
+      numbers_(rules.payoffs.numbers()) {
   if (members_.empty()) throw UsageError("a population of nobody has no best reply");
-  if (!(noise >= 0 && noise <= 1)) throw UsageError(fmt::format("noise {}: expected a number from 0 to 1", noise));
   double total = 0;
   for (const PopulationMember& member : members_) {
     if (!(member.weight > 0 && std::isfinite(member.weight)))
@@ -33,10 +29,10 @@ Population::Population(std::vector<PopulationMember> members, const Payoffs& pay
 }
 
 double Population::payoff(const Automaton& strategy, std::size_t member) const {
-  const auto pair = play_markov(strategy, members_[member].machine, noise_, criterion_);
+  const auto pair = play_markov(strategy, members_[member].machine, rules_.noise, rules_.criterion);
   if (!pair)
     throw UsageError(fmt::format("an opponent of {} states is too large for a search under {}",
-                                 members_[member].machine.size(), criterion_.to_string()));
+                                 members_[member].machine.size(), rules_.criterion.to_string()));
   double sum = 0;
   for (std::size_t o = 0; o < 4; ++o) sum += numbers_[o] * pair->weights[o];
   return sum;

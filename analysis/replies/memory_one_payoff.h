@@ -1,9 +1,8 @@
 #pragma once
 // What a memory-one strategy earns against a population of known machines.
 
-#include <folk/games/criterion.h>
+#include <folk/games/match_rules.h>
 #include <folk/games/move.h>
-#include <folk/games/payoffs.h>
 #include <folk/strategies/automaton.h>
 
 #include <array>
@@ -32,16 +31,13 @@ class Population {
 public:
   /// Weights are scaled to add up to 1. Machines without end come as tables that are right as long as the criterion
   /// lasts (table_for of analysis/play/criterion_table.h), with noise in the sense any_own_moves.
-  /// Throws UsageError when nobody is in it, a weight is not positive, the noise is outside [0, 1] or a machine is too
+  /// Throws UsageError when nobody is in it, a weight is not positive or a machine is too
   /// large for its Markov chain to be solved many times.
-  Population(std::vector<PopulationMember> members, const Payoffs& payoffs, const Criterion& criterion,
-             double noise = 0);
+  Population(std::vector<PopulationMember> members, const MatchRules& rules);
 
   std::size_t size() const { return members_.size(); }
   const PopulationMember& member(std::size_t i) const { return members_[i]; }
-  const Payoffs& payoffs() const { return payoffs_; }
-  const Criterion& criterion() const { return criterion_; }
-  double noise() const { return noise_; }
+  const MatchRules& rules() const { return rules_; }
 
   /// What the strategy earns against one member, in the criterion's unit: from the pair's Markov chain, exact up to
   /// rounding. For mean this is the mean of the play that begins with the opening, also where the chain is not ergodic.
@@ -54,10 +50,8 @@ private:
   double payoff(const Automaton& strategy, std::size_t member) const;
 
   std::vector<PopulationMember> members_;
-  Payoffs payoffs_;
-  std::array<double, 4> numbers_;
-  Criterion criterion_;
-  double noise_;
+  MatchRules rules_;
+  std::array<double, 4> numbers_;  // the payoffs
 };
 
 }  // namespace folk

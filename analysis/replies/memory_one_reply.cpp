@@ -107,8 +107,7 @@ double ascent(const Population& population, const MemoryOne& at, std::size_t coo
 void compare_with_all_strategies(const Population& population, SearchCertificate& certificate) {
   for (std::size_t i = 0; i < population.size(); ++i) {
     const PopulationMember& member = population.member(i);
-    const BestReply reply =
-        best_reply(member.machine, population.payoffs(), population.criterion(), {population.noise(), 0});
+    const BestReply reply = best_reply(member.machine, population.rules());
     certificate.unrestricted += member.weight * reply.payoff;
     certificate.residual += member.weight * reply.residual;
   }

@@ -1,7 +1,4 @@
 #include <folk/analysis/replies/reply_problem.h>
-#include <folk/games/error.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -16,7 +13,7 @@ ReplyProblem::Chances ReplyProblem::after(std::size_t state, Move own) const {
   Chances chances;
   const double p = states[state].cooperation;
   for (const Move really : {own, other(own)}) {
-    const double own_chance = really == own ? 1 - noise : noise;
+    const double own_chance = really == own ? 1 - noise : noise.probability();
     for (const Move theirs : {Move::C, Move::D}) {
       const double chance = own_chance * (theirs == Move::C ? p : 1 - p);
       if (chance > 0) chances.chances[chances.size++] = {{really, theirs}, chance};
@@ -25,8 +22,7 @@ ReplyProblem::Chances ReplyProblem::after(std::size_t state, Move own) const {
   return chances;
 }
 
-ReplyProblem reply_problem(const Automaton& opponent, const Payoffs& payoffs, double noise) {
-  if (!(noise >= 0 && noise <= 1)) throw UsageError(fmt::format("noise {}: expected a number from 0 to 1", noise));
+ReplyProblem reply_problem(const Automaton& opponent, const Payoffs& payoffs, Noise noise) {
   ReplyProblem problem;
   problem.payoffs = payoffs;
   problem.noise = noise;

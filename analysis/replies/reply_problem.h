@@ -1,6 +1,7 @@
 #pragma once
 // Replying to a known machine as a Markov decision problem on its states, and what solves it.
 
+#include <folk/games/noise.h>
 #include <folk/games/outcome.h>
 #include <folk/games/payoffs.h>
 #include <folk/games/rational.h>
@@ -31,7 +32,7 @@ struct ReplyProblem {
   std::vector<State> states;
   std::uint32_t start = 0;
   Payoffs payoffs;
-  double noise = 0;                ///< the replier's own moves flip with this probability
+  Noise noise;                     ///< the replier's own moves flip with this probability
   std::optional<Outside> outside;  ///< what lies beyond a horizon, or off the path
 
   std::size_t size() const { return states.size(); }
@@ -58,8 +59,7 @@ struct ReplyProblem {
 /// The problem of replying to an automaton, each move of both sides flipping with probability `noise`. With noise the
 /// automaton must be tabulated in the sense any_own_moves. The state beyond the automaton's horizon, if there is one,
 /// pays the least payoff of the game: what a reply earns is never overstated.
-/// Throws UsageError when `noise` is outside [0, 1].
-ReplyProblem reply_problem(const Automaton& opponent, const Payoffs& payoffs, double noise = 0);
+ReplyProblem reply_problem(const Automaton& opponent, const Payoffs& payoffs, Noise noise = {});
 
 /// A best move in every state of a reply problem, and what it is worth from there on.
 struct StationaryReply {

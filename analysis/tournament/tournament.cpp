@@ -47,9 +47,6 @@ Tournament::Tournament(std::vector<Strategy> roster, std::size_t core, Tournamen
   if (roster_.size() == 1 && !settings_.self_play)
     throw UsageError("a roster of one without self-play has nothing to play");
   refuse_duplicates(roster_);
-  if (!(settings_.noise >= 0 && settings_.noise <= 1))
-    throw UsageError(fmt::format("noise {}: expected a number from 0 to 1", settings_.noise));
-  if (settings_.repetitions == 0) throw UsageError("repetitions: expected at least 1");
   scale_payoffs();
   play_pairs();
   average_columns();
@@ -71,10 +68,7 @@ void Tournament::scale_payoffs() {
 }
 
 void Tournament::play_pairs() {
-  PairPlayer player(roster_,
-                    {settings_.payoffs, settings_.criterion, settings_.noise, settings_.repetitions, settings_.seed,
-                     settings_.threads},
-                    settings_.threads);
+  PairPlayer player(roster_, settings_, settings_.threads);
   behaviour_of_ = player.behaviour_of();
   behaviours_ = player.behaviours().size();
   if (behaviours_ > most_behaviours)
@@ -304,7 +298,7 @@ void Tournament::sign() {
   Signature signature;
   signature.add(settings_.criterion.to_string());
   signature.add(to_text(settings_.payoffs));
-  signature.add(settings_.noise);
+  signature.add(settings_.noise.probability());
   signature.add(static_cast<std::uint64_t>(settings_.self_play));
   signature.add(core_);
   for (std::size_t i = 0; i < size(); ++i) {

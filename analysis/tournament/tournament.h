@@ -2,8 +2,7 @@
 // The round-robin tournament: everyone against everyone, exact wherever it can be.
 
 #include <folk/analysis/play/pair_result.h>
-#include <folk/games/criterion.h>
-#include <folk/games/payoffs.h>
+#include <folk/analysis/play/sampling.h>
 #include <folk/strategies/strategy.h>
 
 #include <array>
@@ -18,14 +17,8 @@
 namespace folk {
 
 /// What is played, and how.
-struct TournamentSettings {
-  Payoffs payoffs;
-  Criterion criterion = Criterion::finite(100);
-  double noise = 0;       ///< each move flips with this probability
-  bool self_play = true;  ///< each entrant also meets its own copy, once
-  std::uint64_t repetitions = 100;
-  std::uint64_t seed = 1;
-  unsigned threads = 1;
+struct TournamentSettings : Sampling {
+  bool self_play = true;                 ///< each entrant also meets its own copy, once
   std::function<void(double)> progress;  ///< told the finished share, 0 to 1
 };
 
@@ -54,7 +47,7 @@ class Tournament {
 public:
   /// Plays all pairs. The first `core` entrants are the roster proper, the rest are included entrants, who play like
   /// all others but do not count in the means that payoffs are normalised by.
-  /// Throws UsageError on an empty or repeated roster, a noise outside [0, 1], no repetition, scores beyond 2^53 or
+  /// Throws UsageError on an empty or repeated roster, scores beyond 2^53 or
   /// totals beyond 2^63 in units of the payoffs' last digit, and (with both names) a pair that neither closes nor ends
   /// within 10^8 rounds.
   Tournament(std::vector<Strategy> roster, std::size_t core, TournamentSettings settings);

@@ -20,8 +20,8 @@ struct Table {
 }  // namespace
 
 std::vector<Trajectory> play_and_record(const Strategy& player, const std::vector<Strategy>& roster,
-                                        const Payoffs& payoffs, std::uint64_t rounds, double slip,
-                                        std::uint64_t repetitions, std::uint64_t seed, unsigned threads) {
+                                        const Payoffs& payoffs, std::uint64_t rounds, Noise slip,
+                                        Repetitions repetitions, std::uint64_t seed, unsigned threads) {
   const auto rewards = payoffs.numbers();
   std::vector<Table> tables;
   std::vector<Trajectory> data;

@@ -6,7 +6,7 @@
 namespace folk::sct {
 
 std::vector<Trajectory> tournament_data(const std::vector<Strategy>& roster, const Payoffs& payoffs,
-                                        std::uint64_t rounds, std::uint64_t repetitions, std::uint64_t seed) {
+                                        std::uint64_t rounds, Repetitions repetitions, std::uint64_t seed) {
   const auto rewards = payoffs.numbers();
   std::vector<Trajectory> data;
   for (std::size_t i = 0; i < roster.size(); ++i)

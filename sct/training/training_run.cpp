@@ -40,7 +40,7 @@ void TrainingRun::aggregate() {
   now.training.return_target = teacher_->target();
   const auto player = transformer("learner", std::make_shared<const Mind>(std::move(now)));
   const auto& game = settings_.validation;
-  const auto learn = [&](double slip, std::uint64_t repetitions) {
+  const auto learn = [&](Noise slip, Repetitions repetitions) {
     const auto seed = training_.seed + (steps() << 20U);
     for (const auto& match : play_and_record(player, roster_, game.payoffs, game.criterion.rounds(), slip, repetitions,
                                              seed, training_.threads)) {

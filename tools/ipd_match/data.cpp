@@ -93,7 +93,7 @@ void write_json(std::ostream& out, const MatchSettings& settings, const MatchRec
   put("game", string_of(settings.game.title));
   put("payoffs", payoffs_of(settings.game.payoffs));
   put("rounds", std::to_string(settings.rounds));
-  put("noise", fmt::format("{}", settings.noise));
+  put("noise", fmt::format("{}", settings.noise.probability()));
   put("seed", std::to_string(settings.seed));
   put_both("moves", [&](Seat seat) { return string_of(record.transcript.moves(seat)); });
   put_both("slips", [&](Seat seat) { return slips_of(at(record.slipped, seat)); });

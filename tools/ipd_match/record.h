@@ -3,6 +3,7 @@
 
 #include <folk/tools/choices/game_option.h>
 
+#include <folk/games/noise.h>
 #include <folk/games/seat.h>
 #include <folk/games/transcript.h>
 #include <folk/sct/policy/sct_player.h>
@@ -21,7 +22,7 @@ struct MatchSettings {
   std::array<std::string, 2> players;
   ChosenGame game;
   std::uint64_t rounds = 30;
-  double noise = 0;
+  Noise noise;
   std::uint64_t seed = 1;
   sct::PlayOptions policies{};  ///< how they play
 };

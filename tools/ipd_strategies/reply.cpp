@@ -33,28 +33,27 @@ constexpr std::size_t most_written = 1000;
 /// What is asked.
 struct Question {
   std::string opponents;
-  Payoffs payoffs;
-  Criterion criterion = Criterion::finite(100);
-  double noise = 0;
+  MatchRules rules;
   unsigned horizon = 0;
   unsigned threads = 1;
 
   std::string settings() const {
-    return fmt::format("{}, {}, noise {}", to_text(payoffs), criterion.to_string(), noise);
+    return fmt::format("{}, {}, noise {}", to_text(rules.payoffs), rules.criterion.to_string(),
+                       rules.noise.probability());
   }
 
   Json json() const {
     Json settings;
-    settings["payoffs"] = to_text(payoffs);
-    settings["criterion"] = criterion.to_string();
-    settings["noise"] = noise;
+    settings["payoffs"] = to_text(rules.payoffs);
+    settings["criterion"] = rules.criterion.to_string();
+    settings["noise"] = rules.noise.probability();
     return settings;
   }
 };
 
 Question question(const std::string& opponents, const Payoffs& payoffs, const po::variables_map& values) {
-  Question asked{opponents, payoffs, chosen_criterion(values)};
-  asked.noise = parse_number(text_option(values, "noise", "0"), "--noise", 0, 1);
+  Question asked{opponents, {payoffs, chosen_criterion(values)}};
+  asked.rules.noise = parse_number(text_option(values, "noise", "0"), "--noise", 0, 1);
   asked.horizon = static_cast<unsigned>(whole_option(values, "horizon", 0, 1, 10'000));
   asked.threads =
       static_cast<unsigned>(whole_option(values, "threads", std::max(1U, std::thread::hardware_concurrency()), 1, 256));
@@ -92,8 +91,8 @@ void print_exact(const Question& asked, const std::string& opponent, const BestR
 }
 
 int reply_exactly(const Question& asked, const Common& common) {
-  const Strategy opponent = chosen_machine(standard_names(), asked.opponents, asked.payoffs, "replied to");
-  const BestReply found = best_reply(*opponent.machine, asked.payoffs, asked.criterion, {asked.noise, asked.horizon});
+  const Strategy opponent = chosen_machine(standard_names(), asked.opponents, asked.rules.payoffs, "replied to");
+  const BestReply found = best_reply(*opponent.machine, asked.rules, asked.horizon);
   const auto machine = written("reply_to_" + opponent.name, found.machine);
   if (common.format == Format::text) {
     print_exact(asked, opponent.name, found, machine);
@@ -102,8 +101,8 @@ int reply_exactly(const Question& asked, const Common& common) {
   const std::string exact = found.exact ? to_text(*found.exact) : "";
   if (common.format == Format::csv) {
     std::cout << "opponent,criterion,noise,payoff,exact,residual,horizon,states\n"
-              << fmt::format("{},{},{},{},{},{},{},{}\n", csv_field(opponent.name), asked.criterion.to_string(),
-                             asked.noise, found.payoff, exact, found.residual,
+              << fmt::format("{},{},{},{},{},{},{},{}\n", csv_field(opponent.name), asked.rules.criterion.to_string(),
+                             asked.rules.noise.probability(), found.payoff, exact, found.residual,
                              found.horizon ? fmt::format("{}", *found.horizon) : "", found.machine.size());
     return done;
   }
@@ -134,17 +133,17 @@ struct Opponents {
 Opponents opponents(const Question& asked) {
   std::vector<std::string> names;
   std::vector<PopulationMember> members;
-  const Sense sense = asked.noise > 0 ? Sense::any_own_moves : Sense::own_moves_its_own;
-  for (const Strategy& strategy : standard_names().roster(asked.opponents, asked.payoffs)) {
+  const Sense sense = asked.rules.noise > 0 ? Sense::any_own_moves : Sense::own_moves_its_own;
+  for (const Strategy& strategy : standard_names().roster(asked.opponents, asked.rules.payoffs)) {
     if (!strategy.machine)
       throw UsageError(fmt::format("{} is an opaque player: a reply can only be found to machines", strategy.name));
-    if (!strategy.machine->finite() && !asked.criterion.is_finite())
+    if (!strategy.machine->finite() && !asked.rules.criterion.is_finite())
       throw UsageError(fmt::format("{} has infinitely many states: a memory-one reply to it needs finite:T, not {}",
-                                   strategy.name, asked.criterion.to_string()));
+                                   strategy.name, asked.rules.criterion.to_string()));
     names.push_back(strategy.name);
-    members.push_back({minimise(table_for(*strategy.machine, asked.criterion, sense, 0), sense), 1});
+    members.push_back({minimise(table_for(*strategy.machine, asked.rules.criterion, sense, 0), sense), 1});
   }
-  return {std::move(names), Population(std::move(members), asked.payoffs, asked.criterion, asked.noise)};
+  return {std::move(names), Population(std::move(members), asked.rules)};
 }
 
 std::string searched_text(const SearchCertificate& certificate) {
@@ -204,10 +203,10 @@ void print_found_csv(const Question& asked, const MemoryOneReply& found) {
   std::cout << "opponents,criterion,noise,strategy,payoff,points,slope,at_open_end,best_deterministic,"
                "best_deterministic_payoff,unrestricted,residual\n"
             << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(asked.opponents),
-                           asked.criterion.to_string(), asked.noise, csv_field(mem1(found.strategy)), found.payoff,
-                           certificate.points, certificate.slope, certificate.at_open_end,
-                           csv_field(mem1(certificate.corner)), certificate.corner_payoff, certificate.unrestricted,
-                           certificate.residual);
+                           asked.rules.criterion.to_string(), asked.rules.noise.probability(),
+                           csv_field(mem1(found.strategy)), found.payoff, certificate.points, certificate.slope,
+                           certificate.at_open_end, csv_field(mem1(certificate.corner)), certificate.corner_payoff,
+                           certificate.unrestricted, certificate.residual);
 }
 
 int reply_memory_one(const Question& asked, const Common& common) {

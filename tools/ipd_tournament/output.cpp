@@ -74,10 +74,11 @@ std::optional<double> confidence(const Tournament& tournament, const RankingEntr
 
 std::string settings_line(const Tournament& tournament, const TournamentLabels& labels) {
   const auto& settings = tournament.settings();
-  std::string text = fmt::format("game {} ({}), {}, noise {}, self-play {}, seed {}", labels.game,
-                                 to_text(settings.payoffs), settings.criterion.to_string(), settings.noise,
-                                 settings.self_play ? "included" : "left out", settings.seed);
-  if (sampled(tournament)) text += fmt::format(", repetitions {}", settings.repetitions);
+  std::string text =
+      fmt::format("game {} ({}), {}, noise {}, self-play {}, seed {}", labels.game, to_text(settings.payoffs),
+                  settings.criterion.to_string(), settings.noise.probability(),
+                  settings.self_play ? "included" : "left out", settings.seed);
+  if (sampled(tournament)) text += fmt::format(", repetitions {}", settings.repetitions.count());
   return text;
 }
 
@@ -234,7 +235,7 @@ void write_json(std::ostream& out, const Tournament& tournament, const Tournamen
                      json_string(labels.game), payoffs_of(settings.payoffs), settings.criterion.to_string(),
                      settings.criterion.is_finite() ? fmt::format("{}", settings.criterion.rounds()) : "null");
   out << fmt::format("  \"noise\": {},\n  \"self_play\": {},\n  \"repetitions\": {},\n  \"seed\": {},\n",
-                     settings.noise, settings.self_play, settings.repetitions, settings.seed);
+                     settings.noise.probability(), settings.self_play, settings.repetitions.count(), settings.seed);
   out << fmt::format("  \"roster\": {},\n  \"included\": {},\n  \"behaviours\": {},\n  \"methods\": {},\n",
                      json_string(labels.roster), json_string(labels.included), tournament.behaviours(),
                      methods_of(tournament));

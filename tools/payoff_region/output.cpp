@@ -86,7 +86,7 @@ std::string tournament_text(const RegionTournament& tournament) {
   std::string text = fmt::format(
       "tournament: {} strategies ({}{}), {}, noise {}, seed {}: {} pairs at {} points; --format csv lists them\n",
       tournament.strategies, tournament.roster, tournament.included.empty() ? "" : ", with " + tournament.included,
-      tournament.criterion, tournament.noise, tournament.seed, tournament.pairs.size(), distinct.size());
+      tournament.criterion, tournament.noise.probability(), tournament.seed, tournament.pairs.size(), distinct.size());
   for (const auto& note : tournament.notes) text += "note: " + note + "\n";
   return text;
 }
@@ -154,9 +154,10 @@ Json tournament_json(const std::optional<RegionTournament>& tournament) {
   Json pairs = Json::array();
   for (const auto& pair : tournament->pairs)
     pairs.push_back({{"first", pair.first}, {"second", pair.second}, {"payoffs", json_of(pair.payoffs)}});
-  return {{"roster", tournament->roster}, {"included", tournament->included}, {"criterion", tournament->criterion},
-          {"noise", tournament->noise},   {"seed", tournament->seed},         {"strategies", tournament->strategies},
-          {"notes", tournament->notes},   {"pairs", std::move(pairs)}};
+  return {{"roster", tournament->roster},       {"included", tournament->included},
+          {"criterion", tournament->criterion}, {"noise", tournament->noise.probability()},
+          {"seed", tournament->seed},           {"strategies", tournament->strategies},
+          {"notes", tournament->notes},         {"pairs", std::move(pairs)}};
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ struct RegionTournament {
   std::string roster;    ///< the SPEC as the user wrote it
   std::string included;  ///< the --include SPEC, or nothing
   std::string criterion;
-  double noise = 0;
+  Noise noise;
   std::uint64_t seed = 0;
   std::size_t strategies = 0;
   std::vector<PairPayoffs> pairs;  ///< each pair once, copies of one strategy among them

@@ -24,7 +24,7 @@ using Stage = std::function<std::function<void(double)>(const std::string&)>;
 constexpr std::size_t most_listed_states = 1000;
 
 Sampling sampling_of(const SceQuestion& question) {
-  return {question.game.payoffs, question.criterion, 0, question.repetitions, question.seed, question.threads};
+  return {{question.game.payoffs, question.criterion}, question.repetitions, question.seed, question.threads};
 }
 
 EquilibriumQuestion equilibrium_question(const SceQuestion& question) {
@@ -128,7 +128,7 @@ OpponentReport examine_record(const SceQuestion& question, const Strategy& oppon
     report.gaps = match_gaps(path, question.policy.machine.get(), opponent.machine.get(), asked, beliefs);
     report.path = std::move(path);
   } else if (opponent.machine) {
-    const BestReply reply = best_reply(*opponent.machine, question.game.payoffs, question.criterion);
+    const BestReply reply = best_reply(*opponent.machine, {question.game.payoffs, question.criterion});
     Gap gap =
         rounded_gap(reply.payoff - scores.own, reply.residual + scores.error, {{}, std::nullopt, "best reply", {}});
     gap.tried = fmt::format("{} sampled matches", record.matches.size());

@@ -122,7 +122,7 @@ TEST(ClassGap, IsTheLeastOverMembersThatPlayAlongIn1000RandomPairs) {
     std::string name;
     for (const Strategy& member : members) {
       if (!plays_along(own, theirs, *member.machine, criterion.is_finite() ? 9 : 100)) continue;
-      const Rational gain = *best_reply(*member.machine, {}, criterion).exact - paid.total();
+      const Rational gain = *best_reply(*member.machine, {{}, criterion}).exact - paid.total();
       if (least && gain >= *least) continue;
       least = gain;
       name = member.name;

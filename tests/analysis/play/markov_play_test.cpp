@@ -5,6 +5,7 @@
 #include <folk/analysis/play/deterministic_play.h>
 #include <folk/analysis/play/markov_play.h>
 #include <folk/analysis/play/sampled_play.h>
+#include <folk/games/error.h>
 #include <folk/strategies/memory_one.h>
 #include <folk/strategies/registry.h>
 #include <gtest/gtest.h>
@@ -56,7 +57,7 @@ void agrees_with_simulation(const Criterion& criterion, double noise, std::uint6
     const Automaton b = random_memory_one(random);
     const Scores expected = scores(simulated_target(a, b, noise, criterion));
     const auto sampled =
-        play_sampled(named("a", a), named("b", b), i, {Payoffs{}, criterion, noise, repetitions, 2026});
+        play_sampled(named("a", a), named("b", b), i, {{Payoffs{}, criterion, noise}, repetitions, 2026});
     const Scores found = scores(sampled.weights);
     const double rounding = 1e-9 * criterion.total_weight();  // a pair that plays without chance has no standard error
     EXPECT_NEAR(expected.first, found.first, 4 * sampled.first_error + rounding) << i;
@@ -171,6 +172,13 @@ TEST(Equalizer, SetsTheOpponentsPayoff) {
     const auto limit = play_markov(equal, opponent, 0, Criterion::mean());
     EXPECT_NEAR(scores(limit->weights).second, v, 1e-9) << v;
   }
+}
+
+// 1.5 gave weights of 350,000, and -0.25 counted as none.
+TEST(MarkovPlay, TakesNoNoiseThatIsNoProbability) {
+  const Automaton machine = memory_one(1, {1, 0, 1, 0});
+  for (const double noise : {1.5, -0.25, std::nan("")})
+    EXPECT_THROW(play_markov(machine, machine, noise, Criterion::mean()), UsageError) << noise;
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ TEST(BestReply, EarnsItsPayoffWhenItIsPlayedAgainst2000RandomMachines) {
     const auto criterion = Criterion::parse(criteria[random() % criteria.size()]);
     const double noise = noises[random() % noises.size()];
     const Payoffs payoffs = parse_payoffs(random() % 2 == 0 ? "T=5,R=3,P=1,S=0" : "T=2.5,R=1/3,P=-1,S=-7/2");
-    const BestReply reply = best_reply(opponent, payoffs, criterion, {noise, 0});
+    const BestReply reply = best_reply(opponent, {payoffs, criterion, noise});
     ASSERT_NEAR(earned(reply.machine, opponent, noise, criterion, payoffs), reply.payoff, 1e-9)
         << criterion.to_string() << " noise " << noise << " case " << i;
     ASSERT_EQ(reply.exact.has_value(), opponent.deterministic() && noise == 0);
@@ -43,7 +43,7 @@ TEST(BestReply, EarnsItsPayoffWhenItIsPlayedAgainst2000RandomMachines) {
 TEST(BestReply, ToTitForTatIsKnown) {
   const auto tit_for_tat = Registry::standard().make("tit_for_tat").machine;
   const auto exactly = [&](const char* criterion) {
-    return *best_reply(*tit_for_tat, {}, Criterion::parse(criterion)).exact;
+    return *best_reply(*tit_for_tat, {{}, Criterion::parse(criterion)}).exact;
   };
   EXPECT_EQ(exactly("finite:1"), 5);
   EXPECT_EQ(exactly("finite:10"), 9 * 3 + 5);
@@ -59,27 +59,27 @@ TEST(BestReply, CountsTotalsOfFractionsExactly) {
   // 2^51 times the payoffs' denominator: doubles of the total in units of 1 no longer know its last digit.
   const Automaton all_c({{1, {0, 0, 0, 0}}}, 0);
   const Payoffs payoffs = parse_payoffs("T=1000000000000.1,R=3,P=1,S=0");
-  EXPECT_EQ(*best_reply(all_c, payoffs, Criterion::finite(800)).exact, parse_rational("800000000000080"));
+  EXPECT_EQ(*best_reply(all_c, {payoffs, Criterion::finite(800)}).exact, parse_rational("800000000000080"));
   const Payoffs tiny = parse_payoffs("T=5e-30,R=3e-30,P=1e-30,S=0");
-  EXPECT_EQ(*best_reply(all_c, tiny, Criterion::finite(3)).exact, parse_rational("15e-30"));
-  EXPECT_EQ(*best_reply(all_c, tiny, Criterion::discounted(0.9)).exact, parse_rational("5e-30"));
-  EXPECT_EQ(*best_reply(all_c, tiny, Criterion::mean()).exact, parse_rational("5e-30"));
+  EXPECT_EQ(*best_reply(all_c, {tiny, Criterion::finite(3)}).exact, parse_rational("15e-30"));
+  EXPECT_EQ(*best_reply(all_c, {tiny, Criterion::discounted(0.9)}).exact, parse_rational("5e-30"));
+  EXPECT_EQ(*best_reply(all_c, {tiny, Criterion::mean()}).exact, parse_rational("5e-30"));
 }
 
 TEST(BestReply, ToMachinesWithoutEndIsALowerBoundThatRisesWithTheHorizon) {
   const auto gradual = Registry::standard().make("gradual").machine;
   double before = 0;
   for (const unsigned horizon : {5U, 20U, 80U}) {
-    const BestReply reply = best_reply(*gradual, {}, Criterion::discounted(0.9), {0, horizon});
+    const BestReply reply = best_reply(*gradual, {{}, Criterion::discounted(0.9)}, horizon);
     EXPECT_EQ(reply.horizon, horizon);
     EXPECT_GE(reply.payoff, before);
     before = reply.payoff;
   }
-  EXPECT_THROW(best_reply(*gradual, {}, Criterion::discounted(0.9)), UsageError);
-  EXPECT_THROW(best_reply(*gradual, {}, Criterion::mean(), {0, 50}), UsageError);
-  EXPECT_EQ(best_reply(*gradual, {}, Criterion::finite(20)).horizon, std::nullopt);
-  EXPECT_THROW(best_reply(*gradual, {}, Criterion::finite(20), {-0.1, 0}), UsageError);
-  EXPECT_THROW(best_reply(*gradual, {}, Criterion::finite(20), {std::nan(""), 0}), UsageError);
+  EXPECT_THROW(best_reply(*gradual, {{}, Criterion::discounted(0.9)}), UsageError);
+  EXPECT_THROW(best_reply(*gradual, {{}, Criterion::mean()}, 50), UsageError);
+  EXPECT_EQ(best_reply(*gradual, {{}, Criterion::finite(20)}).horizon, std::nullopt);
+  EXPECT_THROW(best_reply(*gradual, {{}, Criterion::finite(20), -0.1}), UsageError);
+  EXPECT_THROW(best_reply(*gradual, {{}, Criterion::finite(20), std::nan("")}), UsageError);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ TEST(ClassReplies, AreTheBestReplies) {
   for (const auto& criterion : {Criterion::discounted(0.9), Criterion::finite(10)}) {
     ClassReplies replies(classics, {}, criterion, 20);
     for (std::size_t i = 0; i < classics.size(); ++i) {
-      const BestReply fresh = best_reply(*classics[i].machine, {}, criterion, {0, 20});
+      const BestReply fresh = best_reply(*classics[i].machine, {{}, criterion}, 20);
       EXPECT_EQ(replies.reply(i).exact, fresh.exact);
       EXPECT_EQ(replies.reply(i).payoff, fresh.payoff);
       EXPECT_EQ(replies.reply(i).machine, fresh.machine);
