@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace folk {
@@ -134,6 +136,14 @@ double Criterion::stopping() const {
 }
 
 double Criterion::lost_within(double rounds) const { return -std::expm1(rounds * std::log1p(-stopping())); }
+
+double Criterion::rounds_until_left(double share) const {
+  if (kind_ == Kind::finite) return static_cast<double>(rounds_);
+  if (kind_ == Kind::mean) return std::numeric_limits<double>::infinity();
+  // Each of the two is the one that did not round; of a continuation of 0 nothing is left after a round.
+  const double logarithm = stopping() < 0.5 ? std::log1p(-stopping()) : std::log(continuation());
+  return std::max(1.0, std::ceil(std::log(share) / logarithm));
+}
 
 double Criterion::total_weight() const {
   switch (kind_) {

@@ -57,6 +57,10 @@ public:
   /// continuation is close to 1.
   double lost_within(double rounds) const;
 
+  /// The fewest rounds, at least 1, after which no more than this share of the weight is left: T for finite, infinitely
+  /// many for mean. 0 < share < 1.
+  double rounds_until_left(double share) const;
+
   /// The weights of all rounds added up: T, 1, 1 and 1/p.
   double total_weight() const;
 

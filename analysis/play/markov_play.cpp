@@ -108,11 +108,11 @@ OutcomeWeights restarted(const MarkovChain& chain, const Criterion& criterion) {
   return outcomes_of(chain, stationary_distribution(std::move(restart)));
 }
 
-/// The same, solved at once where that is quick, else round by round until less than 1e-17 is left.
+/// The same, solved at once where that is quick, else round by round until at most 1e-17 is left.
 std::optional<OutcomeWeights> discounted_share(const MarkovChain& chain, const Criterion& criterion,
                                                const MarkovLimits& limits) {
   if (chain.size() <= limits.solved_states) return restarted(chain, criterion);
-  const double rounds = std::ceil(std::log(1e-17) / std::log1p(-criterion.stopping()));
+  const double rounds = criterion.rounds_until_left(1e-17);
   if (4 * rounds * static_cast<double>(chain.size()) > static_cast<double>(limits.work)) return std::nullopt;
   OutcomeWeights weights = round_by_round(chain, static_cast<std::uint64_t>(rounds), criterion.continuation());
   for (double& weight : weights) weight *= criterion.stopping();

@@ -7,8 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -24,13 +22,6 @@ constexpr std::size_t largest_unrolling = 20'000;
 std::string fingerprint(const Automaton& automaton) {
   const auto* bytes = reinterpret_cast<const char*>(automaton.nodes().data());
   return std::string(bytes, automaton.size() * sizeof(Automaton::Node));
-}
-
-/// The rounds after which nothing is left to weigh (less than 1e-17 of the whole); infinite for mean.
-double rounds_that_count(const Criterion& criterion) {
-  if (criterion.is_finite()) return static_cast<double>(criterion.rounds());
-  if (criterion.kind() == Criterion::Kind::mean) return std::numeric_limits<double>::infinity();
-  return criterion.continuation() > 0 ? std::ceil(std::log(1e-17) / std::log(criterion.continuation())) : 1;
 }
 
 UsageError with_names(const UsageError& error, const Strategy& first, const Strategy& second) {
@@ -84,7 +75,7 @@ PairPlayer::Prepared PairPlayer::prepare(const Strategy& strategy) const {
 
 void PairPlayer::unroll_into(Prepared& prepared, const Machine& machine) const {
   // A machine without end is finite as far as a few rounds can tell.
-  const double rounds = rounds_that_count(sampling_.criterion);
+  const double rounds = sampling_.criterion.rounds_until_left(1e-17);
   if (!(rounds <= longest_unrolling)) return;
   try {
     prepared.automaton = minimise(unroll(machine, sense_, static_cast<unsigned>(rounds), largest_unrolling), sense_);

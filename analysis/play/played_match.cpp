@@ -6,15 +6,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace folk {
 namespace {
 
-/// Rounds after which less than 1e-12 of the weight is left.
-std::uint64_t rounds_that_weigh(double continuation) {
-  return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::ceil(std::log(1e-12) / std::log(continuation))));
+/// Of a match without end, which is followed until the rest does not count.
+std::uint64_t rounds_that_weigh(const Criterion& criterion) {
+  return static_cast<std::uint64_t>(criterion.rounds_until_left(1e-12));
 }
 
 /// For ending:p drawn from the geometric distribution, unless one match is to stand for all lengths.
@@ -22,11 +21,11 @@ std::uint64_t length_of_match(const Criterion& criterion, bool once, const Rando
   switch (criterion.kind()) {
     case Criterion::Kind::finite: return criterion.rounds();
     case Criterion::Kind::mean: return long_run_rounds;
-    case Criterion::Kind::discounted: return rounds_that_weigh(criterion.continuation());
+    case Criterion::Kind::discounted: return rounds_that_weigh(criterion);
     case Criterion::Kind::ending: break;
   }
   if (criterion.continuation() == 0) return 1;
-  if (once) return rounds_that_weigh(criterion.continuation());
+  if (once) return rounds_that_weigh(criterion);
   const double u = RandomStream(key).uniform();
   return 1 + static_cast<std::uint64_t>(std::log1p(-u) / std::log(criterion.continuation()));
 }

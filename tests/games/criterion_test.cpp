@@ -34,6 +34,29 @@ TEST(Criterion, KnowsItsWeights) {
   EXPECT_THROW(Criterion::mean().rounds(), std::logic_error);
 }
 
+TEST(Criterion, KnowsTheRoundsUntilLittleIsLeft) {
+  EXPECT_EQ(Criterion::discounted(0.5).rounds_until_left(0.125), 3);
+  EXPECT_EQ(Criterion::discounted(0.5).rounds_until_left(0.12), 4);
+  EXPECT_EQ(Criterion::discounted(0.5).rounds_until_left(0.9), 1);
+  EXPECT_EQ(Criterion::ending(0.75).rounds_until_left(0.0625), 2);
+  EXPECT_EQ(Criterion::ending(1).rounds_until_left(1e-17), 1);
+  EXPECT_EQ(Criterion::finite(7).rounds_until_left(0.5), 7);
+  EXPECT_TRUE(std::isinf(Criterion::mean().rounds_until_left(0.5)));
+  // 1 - 1e-15 is no double: log(1 - p) alone would be wrong in the fourth digit.
+  EXPECT_NEAR(Criterion::ending(1e-15).rounds_until_left(0.5) / (std::log(2) / 1e-15), 1, 1e-9);
+  EXPECT_EQ(Criterion::discounted(1e-15).rounds_until_left(0.9999e-30), 3) << "log1p(-stopping) alone says 2";
+}
+
+RC_GTEST_PROP(CriterionProperty, AfterTheRoundsUntilLittleIsLeftItIsAndNotARoundBefore, ()) {
+  const double stop = *rc::gen::inRange(1, 1000) / 1000.0;
+  const double share = std::pow(10.0, -*rc::gen::inRange(1, 180) / 10.0);
+  const auto criterion = *rc::gen::element(Criterion::discounted(1 - stop), Criterion::ending(stop));
+  const double rounds = criterion.rounds_until_left(share);
+  RC_ASSERT(rounds >= 1 && rounds == std::floor(rounds));
+  RC_ASSERT(std::pow(criterion.continuation(), rounds) <= share * (1 + 1e-9));
+  RC_ASSERT(rounds == 1 || std::pow(criterion.continuation(), rounds - 1) >= share * (1 - 1e-9));
+}
+
 TEST(Criterion, TakesTheEndsOfItsRanges) {
   for (const char* text : {"finite:1", "finite:1000000000000000", "discounted:5e-324", "discounted:0.9999999999999999",
                            "ending:1", "ending:1e-15"})
