@@ -49,13 +49,13 @@ Comparison compare(const Machine& a, const Machine& b, Sense sense, std::size_t 
     result.second = b.cooperation(second);
     return result.first != result.second;
   };
-  const auto conclude = [&](Verdict verdict, std::size_t depth) {
-    result.verdict = verdict;
+  const auto conclude = [&](Equivalence equivalence, std::size_t depth) {
+    result.equivalence = equivalence;
     result.pairs = visits.size();
     result.depth = depth;
     return result;
   };
-  if (differ(0)) return conclude(Verdict::different, 0);
+  if (differ(0)) return conclude(Equivalence::different, 0);
   for (std::size_t at = 0; at < visits.size(); ++at) {
     const Visit here = visits[at];
     const double cooperation = a.cooperation(here.states.a);  // equal to b's
@@ -64,15 +64,15 @@ Comparison compare(const Machine& a, const Machine& b, Sense sense, std::size_t 
       const auto [own, theirs] = round;
       const Pair then{a.next(here.states.a, own, theirs), b.next(here.states.b, own, theirs)};
       if (known.contains(then)) continue;
-      if (visits.size() >= most_pairs) return conclude(Verdict::undecided, here.rounds);
+      if (visits.size() >= most_pairs) return conclude(Equivalence::undecided, here.rounds);
       known.insert(then);
       visits.push_back({then, at, here.rounds + 1, round});
       if (!differ(visits.size() - 1)) continue;
       result.play = play_to(visits, visits.size() - 1);
-      return conclude(Verdict::different, here.rounds + 1);
+      return conclude(Equivalence::different, here.rounds + 1);
     }
   }
-  return conclude(Verdict::equivalent, visits.back().rounds);
+  return conclude(Equivalence::equivalent, visits.back().rounds);
 }
 
 }  // namespace folk

@@ -11,14 +11,14 @@
 namespace folk {
 
 /// What `compare` found.
-enum class Verdict {
+enum class Equivalence {
   equivalent,  ///< proved: no play of any length separates the two
   different,   ///< `play` separates them
   undecided    ///< no play of up to `depth` rounds separates them; longer ones were not tried
 };
 
 struct Comparison {
-  Verdict verdict = Verdict::undecided;
+  Equivalence equivalence = Equivalence::undecided;
   std::size_t pairs = 0;      ///< joint states that were reached
   std::size_t depth = 0;      ///< every play of up to this many rounds was tried (different: the length of `play`)
   std::vector<Outcome> play;  ///< when different: a shortest play, as they see it, after which they answer differently

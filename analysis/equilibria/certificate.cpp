@@ -44,9 +44,9 @@ std::vector<SideGap> asked(const PairGaps& gaps, Notion notion, Sides sides) {
   return asked;
 }
 
-Certificate certificate(Seat side, const Gap& gap, Word word) {
-  return {
-      word, {}, side, gap.gain, gap.exact ? to_text(*gap.exact) : std::string(), gap.witness.reply, witness_text(gap)};
+Certificate certificate(Seat side, const Gap& gap, Verdict verdict) {
+  const std::string exact = gap.exact ? to_text(*gap.exact) : "";
+  return {verdict, {}, side, gap.gain, exact, gap.witness.reply, witness_text(gap)};
 }
 
 }  // namespace
@@ -64,8 +64,8 @@ std::string_view to_string(Notion notion) {
 }
 
 std::string Certificate::text() const {
-  if (word == Word::certified) return "certified";
-  return word == Word::refuted ? "refuted" : "not refuted (" + scope + ")";
+  if (verdict == Verdict::certified) return "certified";
+  return verdict == Verdict::refuted ? "refuted" : "not refuted (" + scope + ")";
 }
 
 const std::optional<Gap>& gap_of(const SideGaps& gaps, Notion notion) {
@@ -96,14 +96,15 @@ std::optional<Certificate> judge(const PairGaps& gaps, Notion notion, Sides side
     if (worst == nullptr || larger(gap, **worst->gap)) worst = &candidate;
     if (!allows(gap, epsilon)) open = &candidate;
   }
-  if (worst != nullptr && refutes(**worst->gap, epsilon)) return certificate(worst->side, **worst->gap, Word::refuted);
+  if (worst != nullptr && refutes(**worst->gap, epsilon))
+    return certificate(worst->side, **worst->gap, Verdict::refuted);
   if (notion == Notion::subgame_perfect) {
     auto nash = judge(gaps, Notion::nash, sides, epsilon);
-    if (nash && nash->word == Word::refuted) return nash;
+    if (nash && nash->verdict == Verdict::refuted) return nash;
   }
   if (worst == nullptr) return std::nullopt;
-  if (open == nullptr) return certificate(worst->side, **worst->gap, Word::certified);
-  Certificate result = certificate(worst->side, **worst->gap, Word::not_refuted);
+  if (open == nullptr) return certificate(worst->side, **worst->gap, Verdict::certified);
+  Certificate result = certificate(worst->side, **worst->gap, Verdict::not_refuted);
   result.scope =
       *open->gap ? scope_of(**open->gap) : fmt::format("{} side unknown", open->side == Seat::first ? "own" : "their");
   return result;
@@ -112,17 +113,17 @@ std::optional<Certificate> judge(const PairGaps& gaps, Notion notion, Sides side
 std::optional<Certificate> judge_beliefs(const BeliefConsistency& beliefs, double epsilon, bool whole_path) {
   if (beliefs.rounds == 0) return std::nullopt;
   Certificate result;
-  result.word = Word::certified;
+  result.verdict = Verdict::certified;
   result.margin = beliefs.largest_distance;
   if (!beliefs.wrong_rounds.empty())
     result.witness = fmt::format("the likelier move is wrong in {} of {} rounds, first in round {}",
                                  beliefs.rounds - beliefs.right, beliefs.rounds, beliefs.wrong_rounds.front());
   if (beliefs.largest_distance > epsilon) {
-    result.word = Word::refuted;
+    result.verdict = Verdict::refuted;
     if (result.witness.empty())
       result.witness = fmt::format("a belief is {:.4g} from the truth", beliefs.largest_distance);
   } else if (!whole_path) {
-    result.word = Word::not_refuted;
+    result.verdict = Verdict::not_refuted;
     result.scope = fmt::format("{} sampled matches", beliefs.matches);
   }
   return result;

@@ -1,5 +1,5 @@
 #pragma once
-// Claims about a pair of strategies: what is claimed, in which of three words, by which margin, shown by what.
+// Claims about a pair of strategies: what is claimed, with which of three verdicts, by which margin, shown by what.
 
 #include <folk/analysis/beliefs/belief_consistency.h>
 #include <folk/analysis/equilibria/equilibrium_check.h>
@@ -35,8 +35,8 @@ inline constexpr std::array<Notion, 6> all_notions{Notion::nash,
 /// "nash", "subgame_perfect", ...
 std::string_view to_string(Notion notion);
 
-/// The three words.
-enum class Word {
+/// The three words that a claim may have.
+enum class Verdict {
   certified,    ///< exact: it holds
   not_refuted,  ///< nothing against it was found, and not everything was tried
   refuted       ///< a deviation gains more than is allowed
@@ -44,7 +44,7 @@ enum class Word {
 
 /// A claim that was judged.
 struct Certificate {
-  Word word = Word::not_refuted;
+  Verdict verdict = Verdict::not_refuted;
   std::string scope;                         ///< not refuted: how far was looked ("depth 6")
   Seat side = Seat::first;                   ///< whose gain the margin is: the side with the larger one
   double margin = 0;                         ///< the largest gain; for beliefs the largest distance

@@ -11,16 +11,16 @@ Move greedy(const Thought& thought) { return likelier_move(thought.cooperation);
 BeliefEffect effect_in(const Trajectory& match, const Mind& mind) {
   const auto& training = mind.policy.training;
   Thinker thinker(mind);
-  Memory memory = first_memory(training.return_target / training.return_scale);
+  MatchSoFar so_far = begin_match(training.return_target / training.return_scale);
   BeliefEffect effect;
   for (std::size_t t = 0; t < match.rounds(); ++t) {
-    const auto thought = thinker.think(memory);
+    const auto thought = thinker.think(so_far);
     if (mind.policy.architecture.belief_token) {
-      effect.changed_by_c += greedy(thinker.think(memory, 0)) != match.own[t] ? 1U : 0U;
-      effect.changed_by_d += greedy(thinker.think(memory, 1)) != match.own[t] ? 1U : 0U;
+      effect.changed_by_c += greedy(thinker.think(so_far, 0)) != match.own[t] ? 1U : 0U;
+      effect.changed_by_d += greedy(thinker.think(so_far, 1)) != match.own[t] ? 1U : 0U;
     }
-    remember(memory, match.own[t], match.theirs[t], likelier_move(thought.belief),
-             match.rewards[t] / training.return_scale);
+    add_round(so_far, match.own[t], match.theirs[t], likelier_move(thought.belief),
+              match.rewards[t] / training.return_scale);
     ++effect.rounds;
   }
   return effect;

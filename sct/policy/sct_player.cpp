@@ -25,7 +25,7 @@ public:
     double target = options_.target.value_or(training.return_target);
     if (match.criterion.is_finite() && match.criterion.rounds() < training.rounds)
       target *= static_cast<double>(match.criterion.rounds()) / static_cast<double>(training.rounds);
-    memory_ = first_memory(target / training.return_scale);
+    so_far_ = begin_match(target / training.return_scale);
     random_ = RandomStream(match.random);
     thought_.reset();
     thinker_.emplace(*mind_);
@@ -38,8 +38,8 @@ public:
   }
 
   void observe(Move own, Move theirs) override {
-    remember(memory_, own, theirs, likelier_move(thought_ ? thought_->belief : 0.5),
-             rewards_[Outcome{own, theirs}.index()] / mind_->policy.training.return_scale);
+    add_round(so_far_, own, theirs, likelier_move(thought_ ? thought_->belief : 0.5),
+              rewards_[Outcome{own, theirs}.index()] / mind_->policy.training.return_scale);
     thought_.reset();
   }
 
@@ -51,11 +51,11 @@ public:
   /// What was thought of a window is copied only where the next round's window begins with the same rounds.
   std::unique_ptr<Player> clone() const override {
     auto copy = std::make_unique<TransformerPlayer>(name_, mind_, options_);
-    copy->memory_ = memory_;
+    copy->so_far_ = so_far_;
     copy->rewards_ = rewards_;
     copy->random_ = random_;
     copy->thought_ = thought_;
-    if (memory_.own.size() + (thought_ ? 1 : 0) < mind_->policy.architecture.context && thinker_)
+    if (so_far_.own.size() + (thought_ ? 1 : 0) < mind_->policy.architecture.context && thinker_)
       copy->thinker_.emplace(*thinker_);
     return copy;
   }
@@ -69,7 +69,7 @@ public:
     std::vector<std::size_t> like(players.size());
     for (std::size_t i = 0; i < players.size(); ++i) {
       const auto same = [&](const TransformerPlayer* other) {
-        return other->mind_ == players[i]->mind_ && other->memory_ == players[i]->memory_;
+        return other->mind_ == players[i]->mind_ && other->so_far_ == players[i]->so_far_;
       };
       const auto found = std::find_if(distinct.begin(), distinct.end(), same);
       like[i] = static_cast<std::size_t>(found - distinct.begin());
@@ -85,7 +85,7 @@ private:
     if (!thinker_) thinker_.emplace(*mind_);
     std::optional<std::uint8_t> forced;
     if (options_.forced_belief) forced = static_cast<std::uint8_t>(bit(*options_.forced_belief));
-    thought_ = thinker_->think(memory_, forced);
+    thought_ = thinker_->think(so_far_, forced);
   }
 
   /// Takes over what the other keeps for its next thoughts too: the same rounds thought through in other portions would
@@ -110,7 +110,7 @@ private:
   std::shared_ptr<const Mind> mind_;
   PlayOptions options_;
   std::optional<Thinker> thinker_;
-  Memory memory_;
+  MatchSoFar so_far_;
   std::array<double, 4> rewards_{};
   RandomStream random_;
   std::optional<Thought> thought_;

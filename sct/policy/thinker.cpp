@@ -34,19 +34,19 @@ double first_class(const Matrix<float>& logits) {
 
 }  // namespace
 
-Memory first_memory(double target) {
-  Memory memory;
-  memory.returns.push_back(static_cast<float>(target));
-  memory.observations.push_back(start_observation);
-  return memory;
+MatchSoFar begin_match(double target) {
+  MatchSoFar so_far;
+  so_far.returns.push_back(static_cast<float>(target));
+  so_far.observations.push_back(start_observation);
+  return so_far;
 }
 
-void remember(Memory& memory, Move own, Move theirs, Move believed, double reward) {
-  memory.opponent.push_back(static_cast<std::uint8_t>(bit(theirs)));
-  memory.own.push_back(static_cast<std::uint8_t>(bit(own)));
-  memory.beliefs.push_back(static_cast<std::uint8_t>(bit(believed)));
-  memory.observations.push_back(observation_of(own, theirs));
-  memory.returns.push_back(memory.returns.back() - static_cast<float>(reward));
+void add_round(MatchSoFar& so_far, Move own, Move theirs, Move believed, double reward) {
+  so_far.opponent.push_back(static_cast<std::uint8_t>(bit(theirs)));
+  so_far.own.push_back(static_cast<std::uint8_t>(bit(own)));
+  so_far.beliefs.push_back(static_cast<std::uint8_t>(bit(believed)));
+  so_far.observations.push_back(observation_of(own, theirs));
+  so_far.returns.push_back(so_far.returns.back() - static_cast<float>(reward));
 }
 
 Mind::Mind(Policy trained)
@@ -62,17 +62,17 @@ Thinker::Thinker(const Mind& mind)
 }
 
 /// Embeds all tokens of the rounds from `first` to the present one; what is not known of the latter yet reads 0.
-void Thinker::embed_rounds(const Memory& memory, const std::vector<std::uint8_t>& slots, std::size_t first) {
-  const std::size_t now = memory.own.size();
+void Thinker::embed_rounds(const MatchSoFar& so_far, const std::vector<std::uint8_t>& slots, std::size_t first) {
+  const std::size_t now = so_far.own.size();
   const auto& architecture = mind_.policy.architecture;
   Batch<float> batch;
   for (std::size_t t = first; t <= now; ++t) {
-    batch.returns.push_back(memory.returns[t]);
+    batch.returns.push_back(so_far.returns[t]);
     for (std::size_t k = 0; k < observation_size; ++k)
-      batch.observations.push_back(k == memory.observations[t] ? 1.0F : 0.0F);
+      batch.observations.push_back(k == so_far.observations[t] ? 1.0F : 0.0F);
     batch.timesteps.push_back(static_cast<std::int32_t>(std::min(t, architecture.time_rows - 1)));
     batch.opponent.classes.push_back(t < slots.size() ? slots[t] : 0);
-    batch.own.classes.push_back(t < now ? memory.own[t] : 0);
+    batch.own.classes.push_back(t < now ? so_far.own[t] : 0);
   }
   batch.window_rounds = {now + 1 - first};
   std::vector<std::size_t> every(architecture.round_tokens());
@@ -84,15 +84,15 @@ void Thinker::embed_rounds(const Memory& memory, const std::vector<std::uint8_t>
 }
 
 /// The stream up to and with the present observation; returns the latter's hidden state.
-Matrix<float> Thinker::advance(Line& line, const Memory& memory, const std::vector<std::uint8_t>& slots) {
+Matrix<float> Thinker::advance(Line& line, const MatchSoFar& so_far, const std::vector<std::uint8_t>& slots) {
   const auto& architecture = mind_.policy.architecture;
-  const std::size_t now = memory.own.size();
+  const std::size_t now = so_far.own.size();
   const std::size_t first = now + 1 > architecture.context ? now + 1 - architecture.context : 0;
   if (first != line.first_round || line.settled > now) line.settled = first;
   if (line.settled < first) line.settled = first;
   line.first_round = first;
   line.stream.keep((line.settled - first) * architecture.round_tokens());
-  embed_rounds(memory, slots, line.settled);
+  embed_rounds(so_far, slots, line.settled);
   const Index past = index((now - line.settled) * architecture.round_tokens());
   const Index ready = past + index(architecture.observation_token(0)) + 1;
   line.settled = now;
@@ -100,28 +100,28 @@ Matrix<float> Thinker::advance(Line& line, const Memory& memory, const std::vect
 }
 
 /// The present belief token, embedded.
-Matrix<float> Thinker::slot_token(const Memory& memory, std::uint8_t slot) {
-  const std::size_t now = memory.own.size();
+Matrix<float> Thinker::slot_token(const MatchSoFar& so_far, std::uint8_t slot) {
+  const std::size_t now = so_far.own.size();
   std::vector<std::uint8_t> slots(now + 1, slot);
-  embed_rounds(memory, slots, now);
+  embed_rounds(so_far, slots, now);
   return embedded_.row(index(mind_.policy.architecture.opponent_token()));
 }
 
-Thought Thinker::think(const Memory& memory, std::optional<std::uint8_t> forced_belief) {
+Thought Thinker::think(const MatchSoFar& so_far, std::optional<std::uint8_t> forced_belief) {
   const auto& architecture = mind_.policy.architecture;
   const float* parameters = mind_.policy.parameters.data();
   Thought thought;
   Matrix<float> hidden(index(mind_.heads.read().size()), index(architecture.hidden));
   Matrix<float> logits;
-  hidden.row(0) = advance(belief_line_, memory, memory.opponent);
+  hidden.row(0) = advance(belief_line_, so_far, so_far.opponent);
   if (mind_.believes()) {
     mind_.heads.belief(parameters, hidden, logits);
     thought.belief = first_class(logits);
   }
   const auto slot = forced_belief.value_or(thought.belief >= 0.5 ? 0 : 1);
   auto& acting = action_line_ ? *action_line_ : belief_line_;
-  if (action_line_) hidden.row(0) = advance(*action_line_, memory, memory.beliefs);
-  if (architecture.belief_token) hidden.row(1) = acting.stream.append(slot_token(memory, slot));
+  if (action_line_) hidden.row(0) = advance(*action_line_, so_far, so_far.beliefs);
+  if (architecture.belief_token) hidden.row(1) = acting.stream.append(slot_token(so_far, slot));
   mind_.heads.action(parameters, hidden, logits);
   thought.cooperation = first_class(logits);
   return thought;

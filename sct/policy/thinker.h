@@ -26,21 +26,21 @@ struct Mind {
 };
 
 /// All that a player remembers of a match; past rounds have an entry in each vector.
-struct Memory {
+struct MatchSoFar {
   std::vector<float> returns;              ///< the return tokens, scaled; one more than past rounds
   std::vector<std::uint8_t> observations;  ///< likewise
   std::vector<std::uint8_t> opponent;      ///< moves
   std::vector<std::uint8_t> own;           ///< moves
   std::vector<std::uint8_t> beliefs;       ///< the moves that were held likelier
 
-  bool operator==(const Memory&) const = default;
+  bool operator==(const MatchSoFar&) const = default;
 };
 
 /// Before the first round; `target`: the asked return, scaled.
-Memory first_memory(double target);
+MatchSoFar begin_match(double target);
 
 /// A round was played: what was really moved, which move was held likelier, what it paid (scaled).
-void remember(Memory& memory, Move own, Move theirs, Move believed, double reward);
+void add_round(MatchSoFar& so_far, Move own, Move theirs, Move believed, double reward);
 
 struct Thought {
   double belief = 0.5;       ///< P(the opponent plays C)
@@ -58,9 +58,9 @@ public:
   /// `mind` must outlive this.
   explicit Thinker(const Mind& mind);
 
-  /// The round after memory.own.size() past ones. `forced_belief`: this move stands in the belief slot whatever the
+  /// The round after so_far.own.size() past ones. `forced_belief`: this move stands in the belief slot whatever the
   /// belief is.
-  Thought think(const Memory& memory, std::optional<std::uint8_t> forced_belief = std::nullopt);
+  Thought think(const MatchSoFar& so_far, std::optional<std::uint8_t> forced_belief = std::nullopt);
 
 private:
   /// A stream with what its belief slots hold, and how many of its tokens are as they must be.
@@ -70,9 +70,9 @@ private:
     std::size_t settled = 0;  // past rounds whose tokens are all in the stream
   };
 
-  Matrix<float> advance(Line& line, const Memory& memory, const std::vector<std::uint8_t>& slots);
-  Matrix<float> slot_token(const Memory& memory, std::uint8_t slot);
-  void embed_rounds(const Memory& memory, const std::vector<std::uint8_t>& slots, std::size_t first);
+  Matrix<float> advance(Line& line, const MatchSoFar& so_far, const std::vector<std::uint8_t>& slots);
+  Matrix<float> slot_token(const MatchSoFar& so_far, std::uint8_t slot);
+  void embed_rounds(const MatchSoFar& so_far, const std::vector<std::uint8_t>& slots, std::size_t first);
 
   const Mind& mind_;
   Line belief_line_;

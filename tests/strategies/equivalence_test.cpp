@@ -68,12 +68,12 @@ TEST(Equivalence, KnownEqualitiesAreProved) {
       {"mistrust", "mem01_dCD"},        {"spiteful_cc", "mem12_ccCDCDDDDD"}, {"winner12", "mem12_ccCDCDDCDD"},
       {"winner21", "mem21_dcCDCDCDDD"}};
   for (const auto& [a, b] : equal)
-    EXPECT_EQ(compare(*machine(a), *machine(b), its_own).verdict, Verdict::equivalent) << a << " and " << b;
+    EXPECT_EQ(compare(*machine(a), *machine(b), its_own).equivalence, Equivalence::equivalent) << a << " and " << b;
 }
 
 TEST(Equivalence, SpitefulAndItsTablePartOnceAnOwnMoveSlips) {
   const Comparison found = compare(*machine("spiteful"), *machine("mem11_cCDDD"), any_own);
-  ASSERT_EQ(found.verdict, Verdict::different);
+  ASSERT_EQ(found.equivalence, Equivalence::different);
   // After C against D both defect; an own C that slips in restores the table's C C, not spiteful.
   EXPECT_EQ(own_moves(found.play), "CC");
   EXPECT_EQ(their_moves(found.play), "DC");
@@ -83,7 +83,7 @@ TEST(Equivalence, SpitefulAndItsTablePartOnceAnOwnMoveSlips) {
 
 TEST(Equivalence, TheShortestPlayIsFoundAndPrefersC) {
   const Comparison found = compare(*machine("spiteful"), *machine("tf2t"), its_own);
-  ASSERT_EQ(found.verdict, Verdict::different);
+  ASSERT_EQ(found.equivalence, Equivalence::different);
   EXPECT_EQ(own_moves(found.play), "C");
   EXPECT_EQ(their_moves(found.play), "D");
   EXPECT_EQ(found.depth, 1U);
@@ -93,22 +93,22 @@ TEST(Equivalence, TheShortestPlayIsFoundAndPrefersC) {
 
 TEST(Equivalence, DifferentFirstMovesNeedNoRound) {
   const Comparison found = compare(*machine("tit_for_tat"), *machine("mistrust"), its_own);
-  EXPECT_EQ(found.verdict, Verdict::different);
+  EXPECT_EQ(found.equivalence, Equivalence::different);
   EXPECT_TRUE(found.play.empty());
   EXPECT_EQ(found.pairs, 1U);
 }
 
 TEST(Equivalence, MixingMachinesAreComparedByTheirProbabilities) {
-  EXPECT_EQ(compare(*machine("random(0.3)"), *machine("mem1(0.3;0.3,0.3,0.3,0.3)"), any_own).verdict,
-            Verdict::equivalent);
-  EXPECT_EQ(compare(*machine("random(0.3)"), *machine("random(0.31)"), its_own).verdict, Verdict::different);
+  EXPECT_EQ(compare(*machine("random(0.3)"), *machine("mem1(0.3;0.3,0.3,0.3,0.3)"), any_own).equivalence,
+            Equivalence::equivalent);
+  EXPECT_EQ(compare(*machine("random(0.3)"), *machine("random(0.31)"), its_own).equivalence, Equivalence::different);
 }
 
 TEST(Equivalence, InfiniteMachinesAreRefutedOrLeftUndecided) {
   const auto soft = machine("soft_majo");
-  EXPECT_EQ(compare(*soft, *machine("tit_for_tat"), its_own).verdict, Verdict::different);
+  EXPECT_EQ(compare(*soft, *machine("tit_for_tat"), its_own).equivalence, Equivalence::different);
   const Comparison itself = compare(*soft, *soft, its_own, 1000);
-  EXPECT_EQ(itself.verdict, Verdict::undecided);
+  EXPECT_EQ(itself.equivalence, Equivalence::undecided);
   EXPECT_EQ(itself.pairs, 1000U);
   EXPECT_GE(itself.depth, 30U);
 }
@@ -121,24 +121,25 @@ TEST(Equivalence, TheLimitCountsOnlyDepthsThatWereTriedWhole) {
   const Automaton ladder(nodes, 0);
   const Automaton cooperator({{1.0, {0, 0, 0, 0}}}, 0);
   const Comparison cut = compare(ladder, cooperator, its_own, 3);
-  EXPECT_EQ(cut.verdict, Verdict::undecided);
+  EXPECT_EQ(cut.equivalence, Equivalence::undecided);
   EXPECT_EQ(cut.depth, 2U);
   const Comparison whole = compare(ladder, cooperator, its_own);
-  EXPECT_EQ(whole.verdict, Verdict::different);
+  EXPECT_EQ(whole.equivalence, Equivalence::different);
   EXPECT_EQ(whole.depth, 5U);
 }
 
 RC_GTEST_PROP(EquivalenceProperty, MinimisingChangesNothing, ()) {
   const Automaton a = random_automaton(*rc::gen::arbitrary<bool>());
   const Sense sense = any_sense();
-  RC_ASSERT(compare(a, minimise(a, sense), sense).verdict == Verdict::equivalent);
+  RC_ASSERT(compare(a, minimise(a, sense), sense).equivalence == Equivalence::equivalent);
 }
 
 RC_GTEST_PROP(EquivalenceProperty, EquivalentMeansEqualMinimalForms, ()) {
   const Automaton a = random_automaton(false);
   const Automaton b = random_automaton(false);
   const Sense sense = any_sense();
-  RC_ASSERT((compare(a, b, sense).verdict == Verdict::equivalent) == (minimise(a, sense) == minimise(b, sense)));
+  RC_ASSERT((compare(a, b, sense).equivalence == Equivalence::equivalent) ==
+            (minimise(a, sense) == minimise(b, sense)));
 }
 
 RC_GTEST_PROP(EquivalenceProperty, OrderDoesNotMatter, ()) {
@@ -147,7 +148,7 @@ RC_GTEST_PROP(EquivalenceProperty, OrderDoesNotMatter, ()) {
   const Sense sense = any_sense();
   const Comparison one = compare(a, b, sense);
   const Comparison two = compare(b, a, sense);
-  RC_ASSERT(one.verdict == two.verdict);
+  RC_ASSERT(one.equivalence == two.equivalence);
   RC_ASSERT(one.play == two.play);
   RC_ASSERT(one.first == two.second);
 }
@@ -155,8 +156,8 @@ RC_GTEST_PROP(EquivalenceProperty, OrderDoesNotMatter, ()) {
 RC_GTEST_PROP(EquivalenceProperty, TheOwnSenseIsTheCoarser, ()) {
   const Automaton a = random_automaton(true);
   const Automaton b = random_automaton(true);
-  if (compare(a, b, any_own).verdict == Verdict::equivalent)
-    RC_ASSERT(compare(a, b, its_own).verdict == Verdict::equivalent);
+  if (compare(a, b, any_own).equivalence == Equivalence::equivalent)
+    RC_ASSERT(compare(a, b, its_own).equivalence == Equivalence::equivalent);
 }
 
 /// An automaton with one successor changed, so that most differences take some rounds to show.
@@ -174,11 +175,11 @@ RC_GTEST_PROP(EquivalenceProperty, ThePlaySeparatesAndNoShorterOneDoes, ()) {
   const Automaton b = *rc::gen::arbitrary<bool>() ? variant_of(a) : random_automaton(true);
   const Sense sense = any_sense();
   const Comparison found = compare(a, b, sense);
-  if (found.verdict == Verdict::equivalent) {
+  if (found.equivalence == Equivalence::equivalent) {
     RC_ASSERT(!separable(a, a.start(), b, b.start(), sense, longest_brute));
     return;
   }
-  RC_ASSERT(found.verdict == Verdict::different);
+  RC_ASSERT(found.equivalence == Equivalence::different);
   RC_ASSERT(found.depth == found.play.size());
   RC_ASSERT(a.cooperation(after(a, found.play)) == found.first);
   RC_ASSERT(b.cooperation(after(b, found.play)) == found.second);

@@ -29,14 +29,14 @@ std::string plays(const std::string& name, double cooperation) {
 
 std::string difference_text(const Difference& difference) {
   const Comparison& found = difference.found;
-  switch (found.verdict) {
-    case Verdict::equivalent:
+  switch (found.equivalence) {
+    case Equivalence::equivalent:
       if (found.pairs == 0) return fmt::format("equivalent: both are {}", difference.first);
       return fmt::format("equivalent: proved over {} joint states ({})", found.pairs, sense_text(difference.sense));
-    case Verdict::undecided:
+    case Equivalence::undecided:
       return fmt::format("not refuted (depth {0}): no play of up to {0} rounds separates {1} and {2} ({3})",
                          found.depth, difference.first, difference.second, sense_text(difference.sense));
-    case Verdict::different: break;
+    case Equivalence::different: break;
   }
   const std::string answers = plays(difference.first, found.first) + ", " + plays(difference.second, found.second);
   if (found.play.empty()) return fmt::format("different: in the first round {}", answers);
@@ -46,9 +46,9 @@ std::string difference_text(const Difference& difference) {
 
 Json difference_json(const Difference& difference) {
   const Comparison& found = difference.found;
-  const bool different = found.verdict == Verdict::different;
+  const bool different = found.equivalence == Equivalence::different;
   Json json;
-  json["result"] = different ? "different" : found.verdict == Verdict::equivalent ? "equivalent" : "undecided";
+  json["result"] = different ? "different" : found.equivalence == Equivalence::equivalent ? "equivalent" : "undecided";
   json["sense"] = difference.sense == Sense::any_own_moves ? "any_own_moves" : "own_moves_its_own";
   json["strategies"] = {difference.first, difference.second};
   json["pairs"] = found.pairs;
@@ -65,7 +65,7 @@ Json difference_json(const Difference& difference) {
 
 std::string difference_csv(const Difference& difference) {
   const Json json = difference_json(difference);
-  const bool different = difference.found.verdict == Verdict::different;
+  const bool different = difference.found.equivalence == Equivalence::different;
   return fmt::format(
       "result,sense,first,second,pairs,depth,own,theirs,first_cooperation,second_cooperation\n"
       "{},{},{},{},{},{},{},{},{},{}\n",

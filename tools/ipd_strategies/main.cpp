@@ -223,7 +223,7 @@ int diff(const std::string& a, const std::string& b, Sense sense, std::size_t mo
   Difference result{first.name, second.name, sense, {}};
   // Two names of one infinite machine: walking would never end, and there is nothing to prove.
   if (!one.finite() && !two.finite() && first.name == second.name)
-    result.found.verdict = Verdict::equivalent;
+    result.found.equivalence = Equivalence::equivalent;
   else
     result.found = compare(one, two, sense, most_pairs);
   switch (common.format) {

@@ -226,7 +226,7 @@ void judge_all(const SceQuestion& question, OpponentReport& report) {
 
 /// Worse comes later.
 int badness(const Certificate& certificate) {
-  return certificate.word == Word::certified ? 0 : certificate.word == Word::not_refuted ? 1 : 2;
+  return certificate.verdict == Verdict::certified ? 0 : certificate.verdict == Verdict::not_refuted ? 1 : 2;
 }
 
 void sum_up(SceReport& report) {
@@ -249,8 +249,8 @@ void sum_up(SceReport& report) {
       worst = verdict;
       report.worst[n] = opponent.opponent;
     }
-    if (report.verdicts[n] && report.verdicts[n]->word == Word::certified && undecided > 0) {
-      report.verdicts[n]->word = Word::not_refuted;
+    if (report.verdicts[n] && report.verdicts[n]->verdict == Verdict::certified && undecided > 0) {
+      report.verdicts[n]->verdict = Verdict::not_refuted;
       report.verdicts[n]->scope = fmt::format("undecided for {} opponents", undecided);
     }
   }
@@ -331,7 +331,7 @@ bool holds(const SceReport& report, const std::string& required) {
                                                         : Notion::self_confirming_unrestricted;
   const auto& verdict = report.verdicts[static_cast<std::size_t>(notion)];
   if (!verdict) throw UsageError(fmt::format("--require {}: it does not apply here, nothing is known of it", required));
-  return verdict->word != Word::refuted;
+  return verdict->verdict != Verdict::refuted;
 }
 
 }  // namespace folk::tools

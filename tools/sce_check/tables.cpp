@@ -109,7 +109,7 @@ Html verdict_table(const Verdicts& verdicts, const std::array<std::string, all_n
     std::vector<Html> row{claim, word_of(verdict), verdict ? Html(margin_text(notion, *verdict)) : Html("-"),
                           verdict ? Html(witness_words(notion, verdict->witness)) : Html()};
     // Where a claim is certified for all of them, none is worse than another.
-    const bool certified = verdict && verdict->word == Word::certified;
+    const bool certified = verdict && verdict->verdict == Verdict::certified;
     if (worst != nullptr) row.insert(row.begin() + 3, Html(certified ? "-" : (*worst)[n]));
     table.add(row);
   }

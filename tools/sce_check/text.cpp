@@ -32,7 +32,7 @@ void write_header(std::ostream& out, const SceQuestion& question, const SceRepor
 
 std::string line_of(Notion notion, const Certificate& verdict) {
   std::string text = fmt::format("  {:<34} {}", title_of(notion), verdict.text());
-  if (verdict.margin > 0 || verdict.word == Word::refuted)
+  if (verdict.margin > 0 || verdict.verdict == Verdict::refuted)
     text += fmt::format("  {} {}", notion == Notion::beliefs ? "distance" : "gain", margin_text(notion, verdict));
   if (!verdict.witness.empty()) text += ": " + verdict.witness;
   return text + "\n";

@@ -25,10 +25,10 @@ struct Look {
 
 Look look_of(const std::optional<Certificate>& verdict) {
   if (!verdict) return {"none", "–"};
-  switch (verdict->word) {
-    case Word::certified: return {"yes", "✓"};
-    case Word::not_refuted: return {"open", "?"};
-    case Word::refuted: break;
+  switch (verdict->verdict) {
+    case Verdict::certified: return {"yes", "✓"};
+    case Verdict::not_refuted: return {"open", "?"};
+    case Verdict::refuted: break;
   }
   return {"no", "✗"};
 }

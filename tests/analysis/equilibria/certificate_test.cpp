@@ -60,7 +60,7 @@ TEST(Certificate, WhatIsRoundedIsDecidedOnlyBeyondItsResidual) {
 TEST(Certificate, WhatRefutesNashRefutesSubgamePerfection) {
   const auto certificate = judge(nash_gaps(gap(3), gap(0)), Notion::subgame_perfect, Sides::both, 0);
   ASSERT_TRUE(certificate);
-  EXPECT_EQ(certificate->word, Word::refuted);
+  EXPECT_EQ(certificate->verdict, Verdict::refuted);
   EXPECT_FALSE(judge(nash_gaps(gap(0), gap(0)), Notion::subgame_perfect, Sides::both, 0));
 }
 

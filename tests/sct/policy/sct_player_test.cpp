@@ -88,10 +88,10 @@ TEST_P(TransformerTest, BelievesInProbabilitiesIfItWasTrainedTo) {
 TEST_P(TransformerTest, MovesAndBeliefsAreTheThinkers) {
   const auto player = sct.new_player();
   player->start(match_of());
-  auto memory = first_memory(4.2);
+  auto so_far = begin_match(4.2);
   test::Draw draw(5);
   for (std::uint64_t t = 0; t < trained_rounds; ++t) {
-    const auto thought = Thinker(*mind).think(memory);
+    const auto thought = Thinker(*mind).think(so_far);
     const Move own = player->move();
     if (std::abs(thought.cooperation - 0.5) > 1e-4) {
       EXPECT_EQ(own, likelier_move(thought.cooperation));
@@ -103,7 +103,7 @@ TEST_P(TransformerTest, MovesAndBeliefsAreTheThinkers) {
     const Move theirs = draw.chance(0.5) ? Move::C : Move::D;
     player->observe(played, theirs);
     constexpr std::array rewards{3.0, 0.0, 5.0, 1.0};
-    remember(memory, played, theirs, likelier_move(thought.belief), rewards[Outcome{played, theirs}.index()] / 10);
+    add_round(so_far, played, theirs, likelier_move(thought.belief), rewards[Outcome{played, theirs}.index()] / 10);
   }
 }
 
@@ -234,8 +234,8 @@ TEST(Transformer, SamplesByItsKey) {
 /// In the first round, where nothing hangs on earlier draws: as often as the action head says.
 TEST(Transformer, SamplesWithTheHeadsProbability) {
   const auto mind = test::playing_mind();
-  const auto memory = first_memory(4.2);
-  const double p = Thinker(*mind).think(memory).cooperation;
+  const auto so_far = begin_match(4.2);
+  const double p = Thinker(*mind).think(so_far).cooperation;
   const auto player = transformer("sct", mind, {.sample = true}).new_player();
   constexpr std::uint64_t matches = 2000;
   double cooperated = 0;

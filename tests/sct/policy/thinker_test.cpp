@@ -17,8 +17,8 @@ namespace {
 constexpr double tolerance = 1e-4;
 
 /// A round is over, with some reward.
-void play_round(Memory& memory, Move own, Move theirs, std::uint8_t believed) {
-  remember(memory, own, theirs, move_from_bit(believed), 0.1 * static_cast<double>(memory.own.size() % 4));
+void play_round(MatchSoFar& so_far, Move own, Move theirs, std::uint8_t believed) {
+  add_round(so_far, own, theirs, move_from_bit(believed), 0.1 * static_cast<double>(so_far.own.size() % 4));
 }
 
 std::uint8_t likelier(double belief) { return belief >= 0.5 ? 0 : 1; }
@@ -26,17 +26,17 @@ std::uint8_t likelier(double belief) { return belief >= 0.5 ? 0 : 1; }
 /// The window of the last `context` rounds, the present one among them, as training would be given it. `slots` stand in
 /// the belief tokens. What is played in the present round is not known yet: the window holds a D, which must not
 /// matter.
-Batch<float> window(const Architecture& architecture, const Memory& memory, std::vector<std::uint8_t> slots) {
-  const std::size_t now = memory.own.size();
+Batch<float> window(const Architecture& architecture, const MatchSoFar& so_far, std::vector<std::uint8_t> slots) {
+  const std::size_t now = so_far.own.size();
   const std::size_t first = now + 1 - std::min(now + 1, architecture.context);
   Batch<float> batch;
   for (std::size_t t = first; t <= now; ++t) {
-    batch.returns.push_back(memory.returns[t]);
+    batch.returns.push_back(so_far.returns[t]);
     batch.timesteps.push_back(static_cast<std::int32_t>(std::min(t, architecture.time_rows - 1)));
     for (std::size_t k = 0; k < observation_size; ++k)
-      batch.observations.push_back(k == memory.observations[t] ? 1.0F : 0.0F);
+      batch.observations.push_back(k == so_far.observations[t] ? 1.0F : 0.0F);
     batch.opponent.classes.push_back(slots[t]);
-    batch.own.classes.push_back(t < now ? memory.own[t] : 1);
+    batch.own.classes.push_back(t < now ? so_far.own[t] : 1);
   }
   batch.window_rounds = {now + 1 - first};
   return batch;
@@ -59,16 +59,16 @@ Thought training_pass(const Mind& mind, LossMode mode, const Batch<float>& batch
 }
 
 /// What training would say with `slot` in the present belief token.
-Thought expected(const Mind& mind, const Memory& memory, std::uint8_t slot) {
+Thought expected(const Mind& mind, const MatchSoFar& so_far, std::uint8_t slot) {
   const auto& architecture = mind.policy.architecture;
   const auto mode = mind.policy.training.mode;
   const auto with_present = [&](std::vector<std::uint8_t> past) {
     past.push_back(slot);
-    return window(architecture, memory, std::move(past));
+    return window(architecture, so_far, std::move(past));
   };
-  if (mode != LossMode::selfconf) return training_pass(mind, mode, with_present(memory.opponent));
-  return {training_pass(mind, LossMode::teacher, with_present(memory.opponent)).belief,
-          training_pass(mind, LossMode::teacher, with_present(memory.beliefs)).cooperation};
+  if (mode != LossMode::selfconf) return training_pass(mind, mode, with_present(so_far.opponent));
+  return {training_pass(mind, LossMode::teacher, with_present(so_far.opponent)).belief,
+          training_pass(mind, LossMode::teacher, with_present(so_far.beliefs)).cooperation};
 }
 
 void expect_near(const Thought& thought, const Thought& expected, std::size_t round) {
@@ -87,44 +87,44 @@ protected:
 TEST_P(ThinkerTest, SaysWhatTrainingComputesOnTheLastRounds) {
   for (int match = 0; match < 3; ++match) {
     Thinker thinker(mind);
-    auto memory = first_memory(3 + match);
+    auto so_far = begin_match(3 + match);
     for (std::size_t round = 0; round < 25; ++round) {
-      const auto thought = thinker.think(memory);
+      const auto thought = thinker.think(so_far);
       const auto slot = likelier(thought.belief);
-      expect_near(thought, expected(mind, memory, slot), round);
-      const auto again = Thinker(mind).think(memory);
+      expect_near(thought, expected(mind, so_far, slot), round);
+      const auto again = Thinker(mind).think(so_far);
       EXPECT_NEAR(again.belief, thought.belief, 1e-5);
       EXPECT_NEAR(again.cooperation, thought.cooperation, 1e-5);
-      play_round(memory, any_move(), any_move(), slot);
+      play_round(so_far, any_move(), any_move(), slot);
     }
   }
 }
 
 TEST_P(ThinkerTest, MayBeAskedTwiceOrNotInEveryRound) {
   Thinker thinker(mind);
-  auto memory = first_memory(4.2);
+  auto so_far = begin_match(4.2);
   for (std::size_t round = 0; round < 25; ++round) {
     for (std::size_t times = draw.between(0, 2); times > 0; --times) {
-      const auto thought = thinker.think(memory);
-      expect_near(thought, expected(mind, memory, likelier(thought.belief)), round);
+      const auto thought = thinker.think(so_far);
+      expect_near(thought, expected(mind, so_far, likelier(thought.belief)), round);
     }
-    play_round(memory, any_move(), any_move(), round % 3 == 0);
+    play_round(so_far, any_move(), any_move(), round % 3 == 0);
   }
 }
 
 TEST_P(ThinkerTest, BelievesWhatItIsForcedTo) {
   Thinker thinker(mind);
-  auto memory = first_memory(4.2);
+  auto so_far = begin_match(4.2);
   double moved = 0;
   for (std::size_t round = 0; round < 12; ++round) {
     std::array<Thought, 2> forced;
     for (std::uint8_t slot = 0; slot < 2; ++slot) {
-      forced[slot] = thinker.think(memory, slot);
-      expect_near(forced[slot], expected(mind, memory, slot), round);
+      forced[slot] = thinker.think(so_far, slot);
+      expect_near(forced[slot], expected(mind, so_far, slot), round);
     }
     EXPECT_EQ(forced[0].belief, forced[1].belief) << "what is believed is not what is forced";
     moved += std::abs(forced[0].cooperation - forced[1].cooperation);
-    play_round(memory, any_move(), any_move(), likelier(forced[0].belief));
+    play_round(so_far, any_move(), any_move(), likelier(forced[0].belief));
   }
   if (mind.policy.architecture.readout == Readout::own) {
     EXPECT_EQ(moved, 0) << "the action ignores the belief token";
@@ -143,14 +143,14 @@ TEST(Selfconf, FeedsItselfWhatItsTrainingFed) {
   test::Draw draw(8);
   for (int match = 0; match < 10; ++match) {
     Thinker thinker(mind);
-    auto memory = first_memory(match);
+    auto so_far = begin_match(match);
     for (std::size_t round = 0; round < context; ++round) {
-      const auto thought = thinker.think(memory);
-      auto true_slots = memory.opponent;
+      const auto thought = thinker.think(so_far);
+      auto true_slots = so_far.opponent;
       true_slots.push_back(0);  // unknown; training's own beliefs do not see it
       expect_near(thought,
-                  training_pass(mind, LossMode::selfconf, window(mind.policy.architecture, memory, true_slots)), round);
-      play_round(memory, draw.chance(0.5) ? Move::C : Move::D, draw.chance(0.5) ? Move::C : Move::D,
+                  training_pass(mind, LossMode::selfconf, window(mind.policy.architecture, so_far, true_slots)), round);
+      play_round(so_far, draw.chance(0.5) ? Move::C : Move::D, draw.chance(0.5) ? Move::C : Move::D,
                  likelier(thought.belief));
     }
   }
