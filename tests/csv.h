@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace folk::testing {
+namespace folk::test {
 
 using Row = std::vector<std::string>;
 
@@ -26,4 +26,4 @@ inline std::vector<Row> read_csv(const std::string& name) {
   return rows;
 }
 
-}  // namespace folk::testing
+}  // namespace folk::test

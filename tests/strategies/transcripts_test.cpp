@@ -35,7 +35,7 @@ std::string answers(Player& player, const std::string& theirs) {
 
 TEST(Transcripts, EveryOneIsAnsweredAsPublished) {
   const Registry registry = Registry::standard();
-  auto rows = testing::read_csv("transcripts.csv");
+  auto rows = test::read_csv("transcripts.csv");
   ASSERT_GE(rows.size(), 126U);
   for (std::size_t i = 1; i < rows.size(); ++i) {
     const Strategy strategy = registry.make(rows[i][0]);
@@ -51,7 +51,7 @@ TEST(Transcripts, EveryOneIsAnsweredAsPublished) {
 
 TEST(Transcripts, EveryDeterministicStrategyOfTheRosterHasThem) {
   std::set<std::string> covered;
-  for (const auto& row : testing::read_csv("transcripts.csv")) covered.insert(row[0]);
+  for (const auto& row : test::read_csv("transcripts.csv")) covered.insert(row[0]);
   const std::set<std::string> without_source{"grudger", "lunatic"};  // tested by behaviour in conformance_test.cpp
   for (const auto& strategy : Registry::standard().roster("all"))
     EXPECT_TRUE(covered.count(strategy.name) != 0 || without_source.count(strategy.name) != 0) << strategy.name;

@@ -129,12 +129,12 @@ TEST(PairGaps, AnEndlessMemberThatIsLeftOutIsABoundAndNamed) {
 RC_GTEST_PROP(PairGaps, AreOrderedAsTheNotionsAre, ()) {
   RandomStream random({*rc::gen::arbitrary<std::uint64_t>(), 0, 0, 0});
   const bool pure = random() % 2 == 0;
-  const Automaton first = testing::random_automaton(random, 4, pure);
-  const Automaton second = testing::random_automaton(random, 4, pure);
+  const Automaton first = test::random_automaton(random, 4, pure);
+  const Automaton second = test::random_automaton(random, 4, pure);
   constexpr std::array criteria{"finite:1", "finite:7", "discounted:0.3", "discounted:0.9", "mean", "ending:0.2"};
   EquilibriumQuestion question{{}, Criterion::parse(criteria[random() % criteria.size()]), {}, 0};
   for (int i = 0; i < 3; ++i) {
-    Strategy member{"member", std::make_shared<Automaton>(testing::random_automaton(random, 3, pure)), {}};
+    Strategy member{"member", std::make_shared<Automaton>(test::random_automaton(random, 3, pure)), {}};
     question.beliefs.push_back(std::move(member));
   }
   question.beliefs.push_back({"truth", std::make_shared<Automaton>(second), {}});

@@ -24,11 +24,11 @@ double by_enumeration(const Automaton& opponent, State state, double continuatio
 
 double paid_naively(const Automaton& own, const Automaton& theirs, const Criterion& criterion) {
   constexpr std::array<double, 4> payoffs{3, 0, 5, 1};
-  const auto rounds = static_cast<std::uint64_t>(testing::sweeps_of(criterion));
-  const auto weights = testing::play_naively(own, theirs, rounds, criterion.continuation());
+  const auto rounds = static_cast<std::uint64_t>(test::sweeps_of(criterion));
+  const auto weights = test::play_naively(own, theirs, rounds, criterion.continuation());
   double sum = 0;
   for (std::size_t o = 0; o < 4; ++o) sum += weights[o] * payoffs[o];
-  return testing::round_weight(criterion) * sum;
+  return test::round_weight(criterion) * sum;
 }
 
 /// Pairs of up to 8 states; gaps to 1e-9. For d <= 0.5 also against every sequence of 12 moves, the rest weighing at
@@ -37,19 +37,19 @@ TEST(NashGap, Of10000RandomPairsEqualsValueIterationAndEnumeration) {
   RandomStream random({31, 0, 0, 0});
   constexpr std::array criteria{"discounted:0.2", "discounted:0.5", "discounted:0.8", "discounted:1/3", "ending:0.5"};
   for (int i = 0; i < 10'000; ++i) {
-    const Automaton own = testing::random_automaton(random, 8, true);
-    const Automaton theirs = testing::random_automaton(random, 8, true);
+    const Automaton own = test::random_automaton(random, 8, true);
+    const Automaton theirs = test::random_automaton(random, 8, true);
     const auto criterion = Criterion::parse(criteria[random() % criteria.size()]);
     const Gap gap = nash_gap(play_path(own, theirs, criterion), theirs, {}, criterion);
     ASSERT_TRUE(gap.exact);
     const double paid = paid_naively(own, theirs, criterion);
-    const double iterated = testing::reply_values(theirs, {}, criterion)[theirs.start()];
+    const double iterated = test::reply_values(theirs, {}, criterion)[theirs.start()];
     ASSERT_NEAR(gap.gain, iterated - paid, 1e-9) << i;
     ASSERT_EQ(gap.gain > 0, gap.witness.deviation.has_value());
     if (criterion.continuation() > 0.5) continue;
     constexpr int rounds = 12;
     const double d = criterion.continuation();
-    const double weight = testing::round_weight(criterion);
+    const double weight = test::round_weight(criterion);
     const double enumerated = weight * by_enumeration(theirs, theirs.start(), d, rounds);
     ASSERT_GE(gap.gain, enumerated - paid - 1e-9) << i;
     ASSERT_LE(gap.gain, enumerated - paid + weight * 5 * std::pow(d, rounds) / (1 - d) + 1e-9) << i;
@@ -61,8 +61,8 @@ TEST(NashGap, OfChanceAgreesWithTheExactOneOn1000PurePairs) {
   RandomStream random({32, 0, 0, 0});
   constexpr std::array criteria{"finite:1", "finite:20", "discounted:0.9", "ending:0.3", "mean"};
   for (int i = 0; i < 1000; ++i) {
-    const Automaton own = testing::random_automaton(random, 6, true);
-    const Automaton theirs = testing::random_automaton(random, 6, true);
+    const Automaton own = test::random_automaton(random, 6, true);
+    const Automaton theirs = test::random_automaton(random, 6, true);
     const auto criterion = Criterion::parse(criteria[random() % criteria.size()]);
     const Gap exact = nash_gap(play_path(own, theirs, criterion), theirs, {}, criterion);
     const Gap rounded = nash_gap(own, theirs, {}, criterion);

@@ -20,7 +20,7 @@ constexpr std::array<double, 4> numbers{3, 0, 5, 1};
 /// the last round, or by value iteration around the cycle.
 double best_along(const PlayPath& path, const Criterion& criterion) {
   const double d = criterion.continuation();
-  const double weight = testing::round_weight(criterion);
+  const double weight = test::round_weight(criterion);
   const std::size_t n = path.rounds.size();
   if (criterion.kind() == Criterion::Kind::mean) {
     double sum = 0;
@@ -28,7 +28,7 @@ double best_along(const PlayPath& path, const Criterion& criterion) {
     return std::max(1.0, sum / static_cast<double>(n - *path.cycle));
   }
   std::vector<double> values(n + 1);
-  const int sweeps = criterion.is_finite() ? 1 : testing::sweeps_of(criterion);
+  const int sweeps = criterion.is_finite() ? 1 : test::sweeps_of(criterion);
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     if (path.cycle) values[n] = values[*path.cycle];
     for (std::size_t t = n; t-- > 0;) {
@@ -48,8 +48,8 @@ TEST(UnrestrictedGap, IsTheBestReplyWhenMinmaxLiesOffThePathIn10000RandomPairs) 
                                 "discounted:0.9", "ending:0.2", "ending:1",       "mean"};
   int none = 0;
   for (int i = 0; i < 10'000; ++i) {
-    const Automaton own = testing::random_automaton(random, 8, true);
-    const Automaton theirs = testing::random_automaton(random, 8, true);
+    const Automaton own = test::random_automaton(random, 8, true);
+    const Automaton theirs = test::random_automaton(random, 8, true);
     const auto criterion = Criterion::parse(criteria[random() % criteria.size()]);
     const PlayPath path = play_path(own, theirs, criterion);
     const Gap gap = unrestricted_gap(path, {}, criterion);
@@ -66,8 +66,8 @@ TEST(UnrestrictedGap, OfChanceAgreesWithTheExactOneOn1000PurePairs) {
   constexpr std::array criteria{"finite:1", "finite:12", "discounted:0.6", "discounted:0.99", "ending:0.2", "mean"};
   const std::array<Payoffs, 3> games{Payoffs{}, parse_payoffs("T=2.5,R=1/3,P=-1,S=-7/2"), Payoffs{0, 1, 1, 0}};
   for (int i = 0; i < 1000; ++i) {
-    const Automaton own = testing::random_automaton(random, 6, true);
-    const Automaton theirs = testing::random_automaton(random, 6, true);
+    const Automaton own = test::random_automaton(random, 6, true);
+    const Automaton theirs = test::random_automaton(random, 6, true);
     const auto criterion = Criterion::parse(criteria[random() % criteria.size()]);
     const Payoffs payoffs = games[random() % games.size()];
     const Gap exact = unrestricted_gap(play_path(own, theirs, criterion), payoffs, criterion);
@@ -86,7 +86,7 @@ std::vector<Strategy> random_class(RandomStream& random, const Automaton& truth)
   std::vector<Strategy> members;
   for (int i = 0; i < 6; ++i)
     members.push_back(
-        {fmt::format("m{}", i), std::make_shared<Automaton>(testing::random_automaton(random, 3, true)), {}});
+        {fmt::format("m{}", i), std::make_shared<Automaton>(test::random_automaton(random, 3, true)), {}});
   members.push_back({"truth", std::make_shared<Automaton>(truth), {}});
   return members;
 }
@@ -112,8 +112,8 @@ TEST(ClassGap, IsTheLeastOverMembersThatPlayAlongIn1000RandomPairs) {
   constexpr std::array criteria{"finite:9", "discounted:0.6", "discounted:0.9", "mean"};
   int others = 0;
   for (int i = 0; i < 1000; ++i) {
-    const Automaton own = testing::random_automaton(random, 3, true);
-    const Automaton theirs = testing::random_automaton(random, 3, true);
+    const Automaton own = test::random_automaton(random, 3, true);
+    const Automaton theirs = test::random_automaton(random, 3, true);
     const auto criterion = Criterion::parse(criteria[random() % criteria.size()]);
     const auto members = random_class(random, theirs);
     const PlayPath path = play_path(own, theirs, criterion);

@@ -36,9 +36,9 @@ std::set<Joint> reached(const Automaton& a, const Automaton& b) {
 /// What `a` earns against `b` from a joint state on.
 double paid_from(const Automaton& a, const Automaton& b, const Joint& joint, const Criterion& criterion) {
   double sum = 0;
-  double weight = testing::round_weight(criterion);
+  double weight = test::round_weight(criterion);
   auto [x, y] = joint;
-  for (int t = testing::sweeps_of(criterion); t > 0; --t) {
+  for (int t = test::sweeps_of(criterion); t > 0; --t) {
     const Move own = move_of(a, x);
     const Move theirs = move_of(b, y);
     sum += weight * numbers[Outcome{own, theirs}.index()];
@@ -55,7 +55,7 @@ struct Gains {
 };
 
 Gains gains_by_value_iteration(const Automaton& a, const Automaton& b, const Criterion& criterion) {
-  const auto replies = testing::reply_values(b, {}, criterion);
+  const auto replies = test::reply_values(b, {}, criterion);
   Gains gains;
   for (const Joint& joint : reached(a, b)) {
     const auto [x, y] = joint;
@@ -63,7 +63,7 @@ Gains gains_by_value_iteration(const Automaton& a, const Automaton& b, const Cri
     const Move own = other(move_of(a, x));
     const Move theirs = move_of(b, y);
     const double after = paid_from(a, b, {a.next(x, own, theirs), b.next(y, theirs, own)}, criterion);
-    gains.once = std::max(gains.once, testing::round_weight(criterion) * numbers[Outcome{own, theirs}.index()] +
+    gains.once = std::max(gains.once, test::round_weight(criterion) * numbers[Outcome{own, theirs}.index()] +
                                           criterion.continuation() * after - paid);
     gains.replies = std::max(gains.replies, replies[y] - paid);
   }
@@ -77,8 +77,8 @@ TEST(SubgamePerfectGap, HoldsTheOneShotDeviationPrincipleBothWaysIn10000RandomPa
   int perfect = 0;
   for (int i = 0; i < 10'000; ++i) {
     const std::uint32_t most = random() % 4 == 0 ? 8 : 2;
-    const Automaton a = *tabulate(testing::random_automaton(random, most, true), Sense::any_own_moves);
-    const Automaton b = *tabulate(testing::random_automaton(random, most, true), Sense::any_own_moves);
+    const Automaton a = *tabulate(test::random_automaton(random, most, true), Sense::any_own_moves);
+    const Automaton b = *tabulate(test::random_automaton(random, most, true), Sense::any_own_moves);
     const auto criterion = Criterion::parse(criteria[random() % criteria.size()]);
     const auto [first, second] = subgame_perfect_gaps(a, b, {}, criterion);
     const Gains own = gains_by_value_iteration(a, b, criterion);
@@ -112,8 +112,8 @@ TEST(SubgamePerfectGap, OverUpTo5RoundsIsTheLargestOverAllHistoriesIn1000RandomP
   RandomStream random({42, 0, 0, 0});
   for (int i = 0; i < 1000; ++i) {
     const unsigned rounds = 1 + static_cast<unsigned>(random() % 5);
-    const Automaton a = testing::random_automaton(random, 5, true);
-    const Automaton b = testing::random_automaton(random, 5, true);
+    const Automaton a = test::random_automaton(random, 5, true);
+    const Automaton b = test::random_automaton(random, 5, true);
     const auto criterion = Criterion::finite(rounds);
     const auto [first, second] = subgame_perfect_gaps(unroll(a, Sense::any_own_moves, rounds),
                                                       unroll(b, Sense::any_own_moves, rounds), {}, criterion);
@@ -131,8 +131,8 @@ TEST(SubgamePerfectGap, IsWhatItsWitnessGainsIn1000RandomPairs) {
   RandomStream random({43, 0, 0, 0});
   const auto criterion = Criterion::discounted(0.7);
   for (int i = 0; i < 1000; ++i) {
-    const Automaton a = testing::random_automaton(random, 5, true);
-    const Automaton b = testing::random_automaton(random, 5, true);
+    const Automaton a = test::random_automaton(random, 5, true);
+    const Automaton b = test::random_automaton(random, 5, true);
     const Gap gap = subgame_perfect_gaps(a, b, {}, criterion).second;
     ASSERT_EQ(gap.gain > 0, gap.witness.deviation.has_value());
     if (!gap.witness.deviation) continue;
@@ -162,8 +162,8 @@ TEST(SubgamePerfectGap, OfChanceAgreesWithTheExactOneOn1000PurePairs) {
   RandomStream random({44, 0, 0, 0});
   constexpr std::array criteria{"discounted:0.3", "discounted:0.99", "ending:0.2", "mean", "finite:6"};
   for (int i = 0; i < 1000; ++i) {
-    const Automaton a = testing::random_automaton(random, 4, true);
-    const Automaton b = testing::random_automaton(random, 4, true);
+    const Automaton a = test::random_automaton(random, 4, true);
+    const Automaton b = test::random_automaton(random, 4, true);
     const auto criterion = Criterion::parse(criteria[random() % criteria.size()]);
     const auto exact = subgame_perfect_gaps(a, b, {}, criterion);
     const auto rounded = subgame_perfect_gaps(with_a_mixing_state(a), b, {}, criterion);

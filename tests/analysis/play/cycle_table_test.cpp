@@ -15,18 +15,18 @@ RC_GTEST_PROP(CycleFinder, AgreesWithNaivePlay, ()) {
   CycleFinder finder;
   // One finder for many pairs of different sizes: marks of earlier pairs must not be mistaken for its own.
   for (int i = 0; i < 20; ++i) {
-    const Automaton a = testing::random_automaton(random, 30, true);
-    const Automaton b = testing::random_automaton(random, 30, true);
+    const Automaton a = test::random_automaton(random, 30, true);
+    const Automaton b = test::random_automaton(random, 30, true);
     const std::uint64_t rounds = 1 + random() % 3000;
     const auto exact = finder.play(CycleTable(a), CycleTable(b), Criterion::finite(rounds));
-    RC_ASSERT(exact.weights == testing::play_naively(a, b, rounds));
+    RC_ASSERT(exact.weights == test::play_naively(a, b, rounds));
   }
 }
 
 RC_GTEST_PROP(CycleFinder, AgreesWithTheGeneralMethodUnderEveryCriterion, ()) {
   RandomStream random({*rc::gen::arbitrary<std::uint64_t>(), 1, 0, 0});
-  const Automaton a = testing::random_automaton(random, 40, true);
-  const Automaton b = testing::random_automaton(random, 40, true);
+  const Automaton a = test::random_automaton(random, 40, true);
+  const Automaton b = test::random_automaton(random, 40, true);
   CycleFinder finder;
   for (const auto& criterion : {Criterion::finite(1'000'000'000'000'000), Criterion::finite(7), Criterion::mean(),
                                 Criterion::discounted(0.9), Criterion::ending(0.001), Criterion::ending(1)}) {

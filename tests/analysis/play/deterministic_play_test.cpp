@@ -26,7 +26,7 @@ RC_GTEST_PROP(DeterministicPlay, AgreesWithNaivePlayForAnyPairAndLength, ()) {
   if (!a.machine->deterministic() || !b.machine->deterministic()) return;
   const auto rounds = *rc::gen::inRange<std::uint64_t>(1, 5000);
   const auto exact = play_deterministic(*a.machine, *b.machine, Criterion::finite(rounds));
-  RC_ASSERT(exact.weights == testing::play_naively(*a.machine, *b.machine, rounds));
+  RC_ASSERT(exact.weights == test::play_naively(*a.machine, *b.machine, rounds));
 }
 
 TEST(DeterministicPlay, AgreesWithNaiveDiscounting) {
@@ -34,7 +34,7 @@ TEST(DeterministicPlay, AgreesWithNaiveDiscounting) {
     for (const auto& b : everyone()) {
       const auto exact = play_deterministic(*a.machine, *b.machine, Criterion::discounted(0.97));
       const auto ending = play_deterministic(*a.machine, *b.machine, Criterion::ending(0.03));
-      const auto naive = testing::play_naively(*a.machine, *b.machine, 2000, 0.97);
+      const auto naive = test::play_naively(*a.machine, *b.machine, 2000, 0.97);
       for (std::size_t o = 0; o < 4; ++o) {
         EXPECT_NEAR(exact.weights[o], 0.03 * naive[o], 1e-12) << a.name << " v " << b.name;
         EXPECT_NEAR(ending.weights[o], naive[o], 1e-10) << a.name << " v " << b.name;
@@ -62,7 +62,7 @@ TEST(DeterministicPlay, SkipsThePunishmentsOfGradual) {
   for (const char* name : {"all_d", "per_ddc", "per_ccd", "per_cd"}) {
     const auto opponent = registry.make(name);
     const auto exact = play_deterministic(*gradual.machine, *opponent.machine, Criterion::finite(3'000'000), 5000);
-    EXPECT_EQ(exact.weights, testing::play_naively(*gradual.machine, *opponent.machine, 3'000'000)) << name;
+    EXPECT_EQ(exact.weights, test::play_naively(*gradual.machine, *opponent.machine, 3'000'000)) << name;
   }
 }
 
@@ -90,7 +90,7 @@ TEST(DeterministicPlay, HasThePublishedVariantsOfGradualAndMem2) {
   const auto registry = Registry::standard();
   const std::map<std::size_t, std::string> columns{
       {2, "gradual"}, {3, "gradual_soft"}, {4, "gradual_sct"}, {6, "mem2"}, {8, "mem2_sct"}};
-  const auto rows = testing::read_csv("gradual_mem2_variants.csv");
+  const auto rows = test::read_csv("gradual_mem2_variants.csv");
   for (std::size_t i = 1; i < rows.size(); ++i)
     for (const auto& [column, name] : columns) {
       const auto opponent = registry.make(rows[i][1]);

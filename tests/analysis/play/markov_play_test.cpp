@@ -86,8 +86,8 @@ TEST(MarkovPlay, AgreesWithSimulationInTheLongRunWithoutNoise) { agrees_with_sim
 
 RC_GTEST_PROP(MarkovPlay, IsThePlayOfPurePairs, ()) {
   RandomStream random({*rc::gen::arbitrary<std::uint64_t>(), 2, 0, 0});
-  const Automaton a = testing::random_automaton(random, 8, true);
-  const Automaton b = testing::random_automaton(random, 8, true);
+  const Automaton a = test::random_automaton(random, 8, true);
+  const Automaton b = test::random_automaton(random, 8, true);
   for (const auto& criterion : {Criterion::finite(100), Criterion::finite(1'000'000'000'000), Criterion::mean(),
                                 Criterion::discounted(0.95), Criterion::ending(0.01)}) {
     const auto solved = play_markov(a, b, 0, criterion);
@@ -100,8 +100,8 @@ RC_GTEST_PROP(MarkovPlay, IsThePlayOfPurePairs, ()) {
 
 RC_GTEST_PROP(MarkovPlay, DoublingIsSteppingAndTheMeanIsTheirLimit, ()) {
   RandomStream random({*rc::gen::arbitrary<std::uint64_t>(), 3, 0, 0});
-  const Automaton a = testing::random_automaton(random, 3, false);
-  const Automaton b = testing::random_automaton(random, 3, false);
+  const Automaton a = test::random_automaton(random, 3, false);
+  const Automaton b = test::random_automaton(random, 3, false);
   const auto stepped = play_markov(a, b, 0.01, Criterion::finite(40));
   const auto doubled = play_markov(a, b, 0.01, Criterion::finite(1'000'000'000));
   const auto limit = play_markov(a, b, 0.01, Criterion::mean());
@@ -125,8 +125,8 @@ TEST(MarkovPlay, SeesTheTwoAbsorbingEndsOfAMixedStart) {
 
 TEST(MarkovPlay, SolvesLargeChainsAsWellRoundByRoundAsAtOnce) {
   RandomStream random({6, 0, 0, 0});
-  const Automaton a = testing::random_automaton(random, 40, false);
-  const Automaton b = testing::random_automaton(random, 40, false);
+  const Automaton a = test::random_automaton(random, 40, false);
+  const Automaton b = test::random_automaton(random, 40, false);
   for (const auto& criterion : {Criterion::discounted(0.95), Criterion::ending(0.02)}) {
     const auto stepped =
         play_markov(a, b, 0.01, criterion, {.joint_states = 100'000, .solved_states = 0, .work = 100'000'000});
@@ -139,7 +139,7 @@ TEST(MarkovPlay, SolvesLargeChainsAsWellRoundByRoundAsAtOnce) {
 
 TEST(MarkovPlay, RefusesWhatCostsTooMuch) {
   RandomStream random({5, 0, 0, 0});
-  const Automaton a = testing::random_automaton(random, 50, false);
+  const Automaton a = test::random_automaton(random, 50, false);
   EXPECT_FALSE(
       play_markov(a, a, 0.1, Criterion::finite(10), {.joint_states = 3, .solved_states = 1000, .work = 1'000'000}));
   EXPECT_FALSE(play_markov(a, a, 0.1, Criterion::finite(1'000'000'000),

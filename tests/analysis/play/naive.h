@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace folk::testing {
+namespace folk::test {
 
 /// Weights of the outcomes of `rounds` rounds between deterministic machines, round t weighing continuation^t.
 inline OutcomeWeights play_naively(const Machine& a, const Machine& b, std::uint64_t rounds, double continuation = 1) {
@@ -41,4 +41,4 @@ inline Automaton random_automaton(RandomStream& random, std::uint32_t most, bool
   return Automaton(std::move(nodes), below(size));
 }
 
-}  // namespace folk::testing
+}  // namespace folk::test

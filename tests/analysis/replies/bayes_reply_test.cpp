@@ -92,7 +92,7 @@ Plain random_roster(RandomStream& random) {
   const std::size_t members = 1 + random() % 5;
   for (std::size_t i = 0; i < members; ++i)
     plain.roster.push_back(
-        {"machine" + std::to_string(i), std::make_shared<Automaton>(testing::random_automaton(random, 5, true)), {}});
+        {"machine" + std::to_string(i), std::make_shared<Automaton>(test::random_automaton(random, 5, true)), {}});
   for (std::size_t i = 0; i < members; ++i) plain.weights.push_back(static_cast<double>(random() % 4));
   plain.weights[random() % members] = 1;
   if (random() % 2 == 0) plain.weights.assign(members, 1);

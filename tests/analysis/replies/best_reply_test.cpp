@@ -26,7 +26,7 @@ TEST(BestReply, EarnsItsPayoffWhenItIsPlayedAgainst2000RandomMachines) {
                                 "discounted:0.9", "ending:0.1", "ending:1",  "mean"};
   constexpr std::array noises{0.0, 0.0, 0.02, 0.5, 1.0};
   for (int i = 0; i < 2000; ++i) {
-    const Automaton opponent = testing::random_automaton(random, 8, random() % 2 == 0);
+    const Automaton opponent = test::random_automaton(random, 8, random() % 2 == 0);
     const auto criterion = Criterion::parse(criteria[random() % criteria.size()]);
     const double noise = noises[random() % noises.size()];
     const Payoffs payoffs = parse_payoffs(random() % 2 == 0 ? "T=5,R=3,P=1,S=0" : "T=2.5,R=1/3,P=-1,S=-7/2");

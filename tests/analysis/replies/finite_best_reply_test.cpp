@@ -50,7 +50,7 @@ TEST(FiniteBestReply, AgreesWithTheReferenceOver100Rounds) {
   const Registry registry = Registry::standard();
   double classics = 0;
   std::size_t row = 0;
-  for (const auto& line : testing::read_csv("best_response_17_100.csv")) {
+  for (const auto& line : test::read_csv("best_response_17_100.csv")) {
     // A variant of mem2 that Folk does not name.
     if (row++ == 0 || line[0] == "mem2_paysum") continue;
     const auto machine = registry.make(line[0]).machine;
@@ -77,7 +77,7 @@ RC_GTEST_PROP(FiniteBestReply, EqualsTheBestOfAllPlans, ()) {
   RandomStream random({*rc::gen::arbitrary<std::uint64_t>(), 0, 0, 0});
   const unsigned rounds = 1 + static_cast<unsigned>(random() % 6);
   const bool pure = random() % 2 == 0;
-  const Automaton opponent = testing::random_automaton(random, 5, pure);
+  const Automaton opponent = test::random_automaton(random, 5, pure);
   const FiniteBestReply reply(opponent, {}, rounds);
   RC_ASSERT(std::abs(reply.optimum() - by_recursion(opponent, opponent.start(), rounds, 1)) <= 1e-12);
   RC_ASSERT(std::abs(reply.minimum() + by_recursion(opponent, opponent.start(), rounds, -1)) <= 1e-12);

@@ -48,7 +48,7 @@ RC_GTEST_PROP(Posterior, LookingToTheEndIsOptimalPlay, ()) {
   for (std::size_t i = 1 + random() % 4; i > 0; --i) {
     Strategy member;
     member.name = "machine" + std::to_string(i);
-    member.machine = std::make_shared<Automaton>(testing::random_automaton(random, 5, true));
+    member.machine = std::make_shared<Automaton>(test::random_automaton(random, 5, true));
     roster.push_back(std::move(member));
   }
   const auto rounds = 1 + static_cast<unsigned>(random() % 6);

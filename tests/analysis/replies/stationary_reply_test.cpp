@@ -43,7 +43,7 @@ Rational exactly(const Automaton& opponent, const std::vector<Move>& moves, cons
 TEST(StationaryReply, IsTheBestOfAllStationaryRepliesTo3000PureMachinesOfUpTo5States) {
   RandomStream random({11, 0, 0, 0});
   for (int i = 0; i < 3000; ++i) {
-    const Automaton opponent = testing::random_automaton(random, 5, true);
+    const Automaton opponent = test::random_automaton(random, 5, true);
     const Payoffs payoffs = random_payoffs(random);
     const auto criterion = Criterion::parse(endless_criteria[random() % endless_criteria.size()]);
     const auto reply = stationary_reply(reply_problem(opponent, payoffs), criterion);
@@ -74,7 +74,7 @@ double on_average(const Automaton& opponent, const std::vector<Move>& moves, con
 
 /// A machine of which some states mix, some never end and some are never left: means of several recurrent classes.
 Automaton half_random(RandomStream& random, std::uint32_t most) {
-  const Automaton mixing = testing::random_automaton(random, most, false);
+  const Automaton mixing = test::random_automaton(random, most, false);
   std::vector<Automaton::Node> nodes = mixing.nodes();
   for (std::uint32_t s = 0; s < nodes.size(); ++s) {
     if (random() % 2 == 0) nodes[s].cooperation = static_cast<double>(random() % 3) / 2;
@@ -109,13 +109,13 @@ TEST(StationaryReply, EqualsValueIterationIn1000RandomProblems) {
   RandomStream random({13, 0, 0, 0});
   for (int i = 0; i < 1000; ++i) {
     const bool pure = random() % 2 == 0;
-    const Automaton opponent = testing::random_automaton(random, 8, pure);
+    const Automaton opponent = test::random_automaton(random, 8, pure);
     const Payoffs payoffs = random_payoffs(random);
     constexpr std::array criteria{"discounted:0.3", "discounted:0.9", "ending:0.2", "ending:1"};
     const auto criterion = Criterion::parse(criteria[random() % criteria.size()]);
     const double noise = random() % 2 == 0 ? 0 : random.uniform();
     const auto reply = stationary_reply(reply_problem(opponent, payoffs, noise), criterion);
-    const auto values = testing::reply_values(opponent, payoffs, criterion, noise);
+    const auto values = test::reply_values(opponent, payoffs, criterion, noise);
     for (std::size_t s = 0; s < values.size(); ++s) ASSERT_NEAR(reply.values[s], values[s], 1e-10);
   }
 }

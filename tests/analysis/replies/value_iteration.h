@@ -10,7 +10,7 @@
 #include <cmath>
 #include <vector>
 
-namespace folk::testing {
+namespace folk::test {
 
 /// What a round weighs: 1-d under discounted:d, else 1.
 inline double round_weight(const Criterion& criterion) {
@@ -50,4 +50,4 @@ inline std::vector<double> reply_values(const Automaton& opponent, const Payoffs
   return values;
 }
 
-}  // namespace folk::testing
+}  // namespace folk::test

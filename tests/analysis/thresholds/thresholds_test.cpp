@@ -290,8 +290,8 @@ struct Case {
 };
 
 Case random_case(RandomStream& random, std::uint32_t most) {
-  Automaton first = testing::random_automaton(random, most, true);
-  Automaton second = random.chance(0.5) ? first : testing::random_automaton(random, most, true);
+  Automaton first = test::random_automaton(random, most, true);
+  Automaton second = random.chance(0.5) ? first : test::random_automaton(random, most, true);
   Payoffs payoffs;
   if (random.chance(0.3)) payoffs.temptation = 4;
   if (random.chance(0.3)) {

@@ -32,7 +32,7 @@ TournamentSettings over(std::uint64_t rounds) {
 }
 
 void expect_matrix(const std::string& file, const Tournament& tournament, bool cooperations) {
-  const auto rows = testing::read_csv(file);
+  const auto rows = test::read_csv(file);
   ASSERT_EQ(rows.size(), tournament.size() + 1);
   for (std::size_t i = 0; i < tournament.size(); ++i)
     for (std::size_t j = 0; j < tournament.size(); ++j)
@@ -51,7 +51,7 @@ TEST(Golden, TheClassicsOver100Rounds) {
 TEST(Golden, TheSctPapersRosterAndItsNormalisedRewards) {
   const auto tournament = play("sct2025", over(100));
   expect_matrix("sct2025_100.csv", tournament, false);
-  const auto rows = testing::read_csv("sct_reconstructed_17.csv");
+  const auto rows = test::read_csv("sct_reconstructed_17.csv");
   for (std::size_t j = 0; j < 17; ++j) {
     double mean = 0;
     for (std::size_t i = 0; i < 17; ++i) mean += tournament.score(i, j) / 17;
@@ -66,7 +66,7 @@ TEST(Golden, TheCompleteFamiliesOver1000Rounds) {
   for (const std::string family : {"1_1", "1_2"}) {
     const auto tournament = play("memory(" + family.substr(0, 1) + "," + family.substr(2) + ")", over(1000));
     std::map<std::string, std::pair<double, double>> expected;
-    auto rows = testing::read_csv("memory_" + family + "_1000.csv");
+    auto rows = test::read_csv("memory_" + family + "_1000.csv");
     for (std::size_t i = 1; i < rows.size(); ++i) expected[rows[i][1]] = {std::stod(rows[i][2]), std::stod(rows[i][3])};
     ASSERT_EQ(expected.size(), tournament.size());
     for (const auto& entry : tournament.ranking()) {

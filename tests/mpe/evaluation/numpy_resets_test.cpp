@@ -14,7 +14,7 @@ namespace folk::mpe {
 namespace {
 
 void expect_resets(const std::string& file, const char* scenario) {
-  const auto rows = folk::testing::read_csv("mpe/" + file);
+  const auto rows = folk::test::read_csv("mpe/" + file);
   ASSERT_EQ(rows.size(), 21U);
   Batch batch(Scenario::named(scenario), 3);
   std::optional<NumpyRandom> random;
@@ -35,7 +35,7 @@ TEST(NumpyResets, OfSimpleTag) { expect_resets("tag_reset_seeds.csv", "simple_ta
 TEST(NumpyResets, OfSimpleWorld) { expect_resets("world_reset_seeds.csv", "simple_world"); }
 
 TEST(NumpyStarts, AreOneStreamOfResets) {
-  const auto rows = folk::testing::read_csv("mpe/world_reset_seeds.csv");
+  const auto rows = folk::test::read_csv("mpe/world_reset_seeds.csv");
   const auto starts = numpy_starts(Scenario::named("simple_world"), 3, 4);
   ASSERT_EQ(starts.size(), 4U);
   for (std::size_t row = 1; row < rows.size(); ++row) {

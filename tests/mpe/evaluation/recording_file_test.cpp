@@ -18,7 +18,7 @@
 namespace folk::mpe {
 namespace {
 
-using folk::testing::Row;
+using folk::test::Row;
 using testing::golden_data;
 
 bool same(const EpisodeRecord& one, const EpisodeRecord& other) {
@@ -38,7 +38,7 @@ std::string text_of(const std::vector<Row>& rows) {
   return text;
 }
 
-std::vector<Row> golden_rows() { return folk::testing::read_csv("mpe/tag_14.csv"); }
+std::vector<Row> golden_rows() { return folk::test::read_csv("mpe/tag_14.csv"); }
 
 /// A field of golden_rows() by its row (0: the header) and column.
 std::string& field(std::vector<Row>& rows, std::size_t row, const std::string& column) {
