@@ -1,39 +1,48 @@
 #pragma once
 // A 64-bit signature of what was computed: runs that differ in it differ in something that was added.
 
+#include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string_view>
 
 namespace folk {
 
-/// FNV-1a over bytes for texts and over whole words for numbers, the last word mixed once more.
+/// XXH3 with 64 bits (Collet, xxHash; seed 0) over the little-endian bytes of all that was added. It guards against
+/// mistakes, not against intent. What files carry is sealed by another function, sct/files/checksum.h.
 class Signature {
 public:
-  void add(std::string_view text) {
-    for (const char c : text) absorb(static_cast<unsigned char>(c));
-    absorb(0x100);  // ends the text: ("ab", "c") is not ("a", "bc")
+  Signature();
+  ~Signature();
+  Signature(const Signature&) = delete;
+  Signature& operator=(const Signature&) = delete;
+
+  /// The text's length as a word, then its bytes: ("ab", "c") is not ("a", "bc").
+  void add(std::string_view text);
+
+  /// The bits of a double. -0.0 counts as 0.0.
+  void add(double number) { add(std::bit_cast<std::uint64_t>(number + 0.0)); }
+
+  void add(std::uint64_t word) {
+    if (waiting_ == block_.size()) hand_over();
+    for (unsigned byte = 0; byte < 8; ++byte) block_[waiting_ + byte] = static_cast<unsigned char>(word >> (8 * byte));
+    waiting_ += 8;
   }
 
-  /// -0.0 counts as 0.0.
-  void add(double number) { absorb(std::bit_cast<std::uint64_t>(number + 0.0)); }
-
-  void add(std::uint64_t word) { absorb(word); }
-
-  std::uint64_t value() const {
-    std::uint64_t mixed = state_ ^ (state_ >> 32U);
-    mixed *= 0x9E3779B97F4A7C15U;
-    return mixed ^ (mixed >> 29U);
-  }
+  /// Of what was added so far; more may be added afterwards.
+  std::uint64_t value() const;
 
 private:
-  void absorb(std::uint64_t word) {
-    state_ ^= word ^ (word >> 47U);
-    state_ *= 0x100000001B3U;
-    state_ ^= state_ >> 33U;
-  }
+  struct State;
 
-  std::uint64_t state_ = 0xCBF29CE484222325U;
+  void hand_over();
+
+  // Words wait here: a call of the library for each would cost more than its arithmetic.
+  std::array<unsigned char, 512> block_;
+  std::size_t waiting_ = 0;
+  std::unique_ptr<State> state_;
 };
 
 }  // namespace folk

@@ -1,7 +1,7 @@
 #include <folk/analysis/play/parallel.h>
-#include <folk/analysis/play/signature.h>
 #include <folk/games/error.h>
 #include <folk/mpe/data/data_figures.h>
+#include <folk/sct/files/checksum.h>
 #include <folk/sct/files/little_endian.h>
 
 #include <fmt/format.h>
@@ -37,13 +37,13 @@ double episode_return(const DataSet& data, std::size_t agent, std::size_t episod
 }  // namespace
 
 std::uint64_t episode_signature(std::span<const std::string_view> rows) {
-  Signature signature;
+  sct::Checksum sum;
   for (const std::string_view bytes : rows) {
     std::size_t at = 0;
-    for (; at + 8 <= bytes.size(); at += 8) signature.add(sct::load_little_endian<std::uint64_t>(bytes.substr(at, 8)));
-    signature.add(bytes.substr(at));
+    for (; at + 8 <= bytes.size(); at += 8) sum.add(sct::load_little_endian<std::uint64_t>(bytes.substr(at, 8)));
+    sum.add(bytes.substr(at));
   }
-  return signature.value();
+  return sum.value();
 }
 
 DataFigures data_figures(const DataSet& data, unsigned threads) {
@@ -59,7 +59,7 @@ DataFigures data_figures(const DataSet& data, unsigned threads) {
                    prey[e] = episode_return(data, data.scenario().prey(), e);
                  }
                });
-  Signature all;
+  sct::Checksum all;
   for (const std::uint64_t signature : signatures) all.add(signature);
   return {all.value(), mean_return(predator), mean_return(prey)};
 }

@@ -1,10 +1,10 @@
-#include <folk/analysis/play/signature.h>
 #include <folk/games/error.h>
 #include <folk/games/text_file.h>
 #include <folk/mpe/data/collect.h>
 #include <folk/mpe/players/names.h>
 #include <folk/mpe/players/policy_file.h>
 #include <folk/mpe/study/study_folder.h>
+#include <folk/sct/files/checksum.h>
 
 #include <fmt/format.h>
 
@@ -101,16 +101,16 @@ std::shared_ptr<const DataSet> StudyFolder::data(const StudyJob& job, const Stud
 }
 
 std::string study_identity(const std::string& scenario, const StudySettings& settings, const fs::path& players) {
-  Signature signature;
+  sct::Checksum sum;
   for (const std::uint64_t number : {settings.transitions, settings.episodes, settings.player_episodes,
                                      settings.selection_episodes, settings.intervention_episodes, report_batches})
-    signature.add(number);
-  for (const std::uint64_t seed : {data_seed, selection_seed, report_seed, intervention_seed}) signature.add(seed);
+    sum.add(number);
+  for (const std::uint64_t seed : {data_seed, selection_seed, report_seed, intervention_seed}) sum.add(seed);
   for (const char* data_prey : {"released", "maddpg"})
-    for (const double target : target_grid({data_prey, scenario, "expert", "sct", 1})) signature.add(target);
+    for (const double target : target_grid({data_prey, scenario, "expert", "sct", 1})) sum.add(target);
   for (const char* player : {"expert", "medium", "expert_maddpg", "released", "maddpg"})
-    signature.add(read_file(players / fmt::format("{}_{}.safetensors", scenario, player), largest_policy_file));
-  return fmt::format("{:016x}", signature.value());
+    sum.add(read_file(players / fmt::format("{}_{}.safetensors", scenario, player), largest_policy_file));
+  return fmt::format("{:016x}", sum.value());
 }
 
 std::map<std::string, StudyRecord> read_records(const fs::path& root, const StudySettings& settings,

@@ -1,4 +1,3 @@
-#include <folk/analysis/play/signature.h>
 #include <folk/games/error.h>
 #include <folk/games/text_file.h>
 #include <folk/mpe/data/data_figures.h>
@@ -7,6 +6,7 @@
 #include <folk/mpe/players/names.h>
 #include <folk/mpe/players/policy_file.h>
 #include <folk/mpe/study/study_job.h>
+#include <folk/sct/files/checksum.h>
 #include <folk/sct/files/safetensors.h>
 
 #include <fmt/format.h>
@@ -163,9 +163,9 @@ private:
 };
 
 std::string signature_of(std::string_view bytes) {
-  Signature signature;
-  signature.add(bytes);
-  return fmt::format("{:016x}", signature.value());
+  sct::Checksum sum;
+  sum.add(bytes);
+  return fmt::format("{:016x}", sum.value());
 }
 
 /// What an earlier run, cut off in its examination, has left; nothing where it is not this very training's end.

@@ -1,5 +1,5 @@
-#include <folk/analysis/play/signature.h>
 #include <folk/games/error.h>
+#include <folk/sct/files/checksum.h>
 #include <folk/sct/files/little_endian.h>
 #include <folk/sct/files/record_bytes.h>
 
@@ -19,12 +19,12 @@ constexpr std::uint64_t most_steps = std::uint64_t{1} << 53U;
 
 /// Over whole words, then over the bytes that are left.
 std::uint64_t checksum(std::string_view bytes) {
-  Signature signature;
+  Checksum sum;
   std::size_t at = 0;
   for (; at + word_bytes <= bytes.size(); at += word_bytes)
-    signature.add(load_little_endian<std::uint64_t>(bytes.substr(at)));
-  signature.add(bytes.substr(at));
-  return signature.value();
+    sum.add(load_little_endian<std::uint64_t>(bytes.substr(at)));
+  sum.add(bytes.substr(at));
+  return sum.value();
 }
 
 void require_finite(double number) {

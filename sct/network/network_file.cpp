@@ -1,5 +1,5 @@
-#include <folk/analysis/play/signature.h>
 #include <folk/games/error.h>
+#include <folk/sct/files/checksum.h>
 #include <folk/sct/files/little_endian.h>
 #include <folk/sct/network/network_file.h>
 
@@ -150,14 +150,14 @@ Architecture parse_architecture(const Metadata& metadata) {
 /// 16 hexadecimal digits over the metadata, key by key in the order of their bytes, and the parameters in the order of
 /// ParameterLayout: what another program stores in another order is the same policy.
 std::string checksum(const Texts& metadata, std::span<const float> parameters) {
-  Signature signature;
+  Checksum sum;
   for (const auto& [key, text] : metadata)
     if (key != checksum_key) {
-      signature.add(key);
-      signature.add(text);
+      sum.add(key);
+      sum.add(text);
     }
-  for (const float number : parameters) signature.add(std::uint64_t{std::bit_cast<std::uint32_t>(number)});
-  return fmt::format("{:016x}", signature.value());
+  for (const float number : parameters) sum.add(std::uint64_t{std::bit_cast<std::uint32_t>(number)});
+  return fmt::format("{:016x}", sum.value());
 }
 
 void require_playable(std::span<const float> parameters, const ParameterLayout& layout) {

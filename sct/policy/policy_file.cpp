@@ -1,4 +1,3 @@
-#include <folk/analysis/play/signature.h>
 #include <folk/games/criterion.h>
 #include <folk/games/error.h>
 #include <folk/games/text_file.h>

@@ -1,8 +1,8 @@
 // parse_checkpoint: whatever is read is written and read back as the same bytes. Most changes to a checkpoint end at
 // its checksum; the mutator here changes a few bytes and gives them the right one.
 
-#include <folk/analysis/play/signature.h>
 #include <folk/games/random.h>
+#include <folk/sct/files/checksum.h>
 #include <folk/sct/files/little_endian.h>
 #include <folk/sct/training/checkpoint.h>
 
@@ -18,12 +18,12 @@ constexpr std::size_t word = 8;
 
 /// The checksum as sct/training/checkpoint.h has it: over whole words, then over the bytes that are left.
 std::string with_checksum(std::string bytes) {
-  folk::Signature signature;
+  folk::sct::Checksum sum;
   std::size_t at = 0;
   for (; at + word <= bytes.size(); at += word)
-    signature.add(folk::sct::load_little_endian<std::uint64_t>(std::string_view(bytes).substr(at)));
-  signature.add(std::string_view(bytes).substr(at));
-  folk::sct::append_little_endian(bytes, signature.value());
+    sum.add(folk::sct::load_little_endian<std::uint64_t>(std::string_view(bytes).substr(at)));
+  sum.add(std::string_view(bytes).substr(at));
+  folk::sct::append_little_endian(bytes, sum.value());
   return bytes;
 }
 
