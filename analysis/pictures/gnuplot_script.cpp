@@ -1,11 +1,11 @@
 #include <folk/analysis/pictures/gnuplot_script.h>
 #include <folk/games/error.h>
+#include <folk/games/utf8.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <fstream>
-#include <numeric>
 
 namespace folk::gnuplot {
 namespace {
@@ -14,42 +14,19 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t longest_name = 32;
 
-/// The length of the well-formed UTF-8 character at the front of `text`, 0 when there is none.
-std::size_t character_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned first = byte(0);
-  if (first < 0x80) return 1;
-  const std::size_t length = first >= 0xF0 && first < 0xF5 ? 4 : first >= 0xE0 ? 3 : first >= 0xC2 ? 2 : 0;
-  if (first >= 0xF5 || length == 0 || text.size() < length) return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((byte(i) & 0xC0U) != 0x80U) return 0;
-  // Overlong forms and surrogates are no characters of an XML file.
-  if ((first == 0xE0 && byte(1) < 0xA0) || (first == 0xF0 && byte(1) < 0x90) || (first == 0xED && byte(1) >= 0xA0) ||
-      (first == 0xF4 && byte(1) >= 0x90))
-    return 0;
-  return length;
-}
-
 /// The printable characters of a text; a control character becomes a blank, a stray byte a question mark.
-std::vector<std::string> characters(std::string_view text) {
-  std::vector<std::string> found;
-  while (!text.empty()) {
-    const std::size_t length = character_length(text);
-    if (length == 0) {
-      found.emplace_back("?");
-    } else if (length == 1 && (text[0] < ' ' || text[0] == '\x7f')) {
-      found.emplace_back(" ");
-    } else {
-      found.emplace_back(text.substr(0, length));
-    }
-    text.remove_prefix(std::max<std::size_t>(length, 1));
+std::vector<std::string_view> characters(std::string_view text) {
+  auto found = utf8_characters(text);
+  for (auto& character : found) {
+    if (no_character(character))
+      character = "?";
+    else if (character.size() == 1 && (character[0] < ' ' || character[0] == '\x7f'))
+      character = " ";
   }
   return found;
 }
 
-std::string join(const std::vector<std::string>& parts) {
-  return std::accumulate(parts.begin(), parts.end(), std::string());
-}
+std::string join(const std::vector<std::string_view>& parts) { return fmt::format("{}", fmt::join(parts, "")); }
 
 /// At most `most` characters, the middle of a longer text left out.
 std::string shortened(std::string_view text, std::size_t most) {

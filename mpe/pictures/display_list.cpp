@@ -1,4 +1,5 @@
 #include <folk/analysis/pictures/gnuplot_script.h>
+#include <folk/games/utf8.h>
 #include <folk/mpe/pictures/display_list.h>
 
 namespace folk::mpe {
@@ -15,15 +16,6 @@ std::string kept_characters(std::string_view text) {
   return kept;
 }
 
-/// Where each character of well-formed UTF-8 begins, and the end.
-std::vector<std::size_t> character_begins(std::string_view text) {
-  std::vector<std::size_t> begins;
-  for (std::size_t i = 0; i < text.size(); ++i)
-    if ((static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U) begins.push_back(i);
-  begins.push_back(text.size());
-  return begins;
-}
-
 }  // namespace
 
 Path rectangle(Point top_left, double width, double height) {
@@ -34,12 +26,15 @@ Path rectangle(Point top_left, double width, double height) {
 
 std::string printable(std::string_view text, std::size_t most) {
   const std::string kept = kept_characters(text);
-  const auto begins = character_begins(kept);
-  const std::size_t count = begins.size() - 1;
-  if (count <= most) return kept;
+  const auto characters = utf8_characters(kept);
+  if (characters.size() <= most) return kept;
   const std::size_t head = most / 2;
   const std::size_t tail = most - head - 1;
-  return kept.substr(0, begins[head]) + "…" + kept.substr(begins[count - tail]);
+  std::string shown;
+  for (std::size_t i = 0; i < head; ++i) shown += characters[i];
+  shown += "…";
+  for (std::size_t i = characters.size() - tail; i < characters.size(); ++i) shown += characters[i];
+  return shown;
 }
 
 }  // namespace folk::mpe

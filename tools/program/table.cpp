@@ -1,3 +1,4 @@
+#include <folk/games/utf8.h>
 #include <folk/tools/program/table.h>
 
 #include <fmt/format.h>
@@ -13,10 +14,7 @@ bool numeric(const std::string& cell) {
 }
 
 /// Characters, not bytes: the tables hold a few signs like ± in UTF-8.
-std::size_t width(const std::string& cell) {
-  return static_cast<std::size_t>(
-      std::count_if(cell.begin(), cell.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-}
+std::size_t width(const std::string& cell) { return utf8_characters(cell).size(); }
 
 }  // namespace
 
