@@ -55,7 +55,7 @@ void CycleFinder::walk(const CycleTable& first, const CycleTable& second, std::u
   const std::size_t joint_states = first.size() * second.size();
   if (marks_.size() < joint_states) marks_.resize(joint_states);
   if (counts_.size() < joint_states + 1) counts_.resize(joint_states + 1);
-  if (epoch_ > std::numeric_limits<std::uint32_t>::max() - 2 * most_joint_states) {
+  if (epoch_ > last_epoch) {
     marks_.assign(marks_.size(), 0);
     epoch_ = 1;
   }

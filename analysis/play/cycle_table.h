@@ -6,6 +6,7 @@
 #include <folk/strategies/automaton.h>
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace folk {
@@ -32,6 +33,16 @@ class CycleFinder {
 public:
   /// Pairs with more joint states do not fit.
   static constexpr std::size_t most_joint_states = 65'535;
+
+  /// Marks from here on could overflow within a pair: the finder then wipes them and begins anew. (A tournament gets
+  /// here after some 10^8 pairs.)
+  static constexpr std::uint32_t last_epoch = std::numeric_limits<std::uint32_t>::max() - 2 * most_joint_states;
+
+  CycleFinder() = default;
+
+  /// One whose marks begin at `first_epoch`, at least 1, as if it had played before: for tests.
+  explicit CycleFinder(std::uint32_t first_epoch)
+      : epoch_(first_epoch) {}
 
   static bool fits(const CycleTable& first, const CycleTable& second) {
     return first.size() * second.size() <= most_joint_states;

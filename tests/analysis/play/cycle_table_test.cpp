@@ -37,6 +37,25 @@ RC_GTEST_PROP(CycleFinder, AgreesWithTheGeneralMethodUnderEveryCriterion, ()) {
   }
 }
 
+/// States in a ring, D in the first alone.
+Automaton ring(std::uint32_t size) {
+  std::vector<Automaton::Node> nodes;
+  for (std::uint32_t s = 0; s < size; ++s) {
+    const std::uint32_t next = (s + 1) % size;
+    nodes.push_back({s == 0 ? 0.0 : 1.0, {next, next, next, next}});
+  }
+  return Automaton(std::move(nodes), 0);
+}
+
+TEST(CycleFinder, IsRightWhereItsMarksWouldOverflow) {
+  // 251 and 257 have no common divisor: a lap of the pair passes through all 64,507 joint states.
+  const CycleTable first(ring(251));
+  const CycleTable second(ring(257));
+  const OutcomeWeights lap{250.0 * 256, 250, 256, 1};
+  CycleFinder finder(CycleFinder::last_epoch);  // the third lap would end above 2^32
+  for (int i = 0; i < 8; ++i) ASSERT_EQ(finder.play(first, second, Criterion::finite(251 * 257)).weights, lap) << i;
+}
+
 TEST(CycleFinder, KnowsWhatFits) {
   const Automaton small({{1, {0, 0, 0, 0}}}, 0);
   EXPECT_TRUE(CycleFinder::fits(CycleTable(small), CycleTable(small)));
