@@ -167,5 +167,37 @@ TEST(ClassGap, BoundsMembersWithoutEnd) {
   EXPECT_NE(unknown->tried.find("gradual"), std::string::npos);
 }
 
+/// Plays D for ever once it has met a D, and counts the rounds for nothing.
+class CountingGrudge final : public Machine {
+public:
+  State start() const override { return 0; }
+  double cooperation(State state) const override { return state % 2 == 0 ? 1 : 0; }
+  State next(State state, Move, Move theirs) const override { return (state + 2) | bit(theirs); }
+  bool finite() const override { return false; }
+};
+
+/// A bound that finds no gain leaves the question open; an exact 0 of another member closes it.
+TEST(ClassGap, TakesTheExactOneOfEqualGaps) {
+  const Registry registry = Registry::standard();
+  const auto all_c = registry.make("all_c");
+  const auto criterion = Criterion::discounted(0.9);
+  const Strategy counting{"counting", std::make_shared<CountingGrudge>(), {}};
+  const Strategy spiteful = registry.make("spiteful");
+  const Strategy tit_for_tat = registry.make("tit_for_tat");
+  const auto gap_over = [&](std::vector<Strategy> members) {
+    ClassReplies beliefs(std::move(members), {}, criterion, 10);
+    return *class_gap(play_path(*all_c.machine, *all_c.machine, criterion), beliefs);
+  };
+  const Gap bound = gap_over({counting});
+  EXPECT_EQ(bound.gain, 0);
+  EXPECT_EQ(bound.depth, 10U);
+  for (const auto& members : {std::vector{counting, spiteful, tit_for_tat}, {spiteful, counting, tit_for_tat}}) {
+    const Gap gap = gap_over(members);
+    EXPECT_EQ(gap.exact, Rational(0));
+    EXPECT_FALSE(gap.bounded());
+    EXPECT_EQ(gap.witness.belief, "spiteful");
+  }
+}
+
 }  // namespace
 }  // namespace folk
