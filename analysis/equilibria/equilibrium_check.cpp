@@ -2,47 +2,41 @@
 #include <folk/analysis/equilibria/nash_gap.h>
 #include <folk/analysis/equilibria/self_confirming_gap.h>
 #include <folk/analysis/equilibria/subgame_perfect_gap.h>
-#include <folk/analysis/play/criterion_table.h>
 #include <folk/games/error.h>
 
-#include <fmt/format.h>
-
+#include <memory>
 #include <utility>
 
 namespace folk {
 namespace {
 
 /// What one side can gain over a path without chance.
-SideGaps gaps_over(const PlayPath& path, const Machine* theirs, const EquilibriumQuestion& question,
-                   ClassReplies& beliefs) {
-  const auto& payoffs = question.payoffs;
-  const auto& criterion = question.criterion;
+SideGaps gaps_over(const PlayPath& path, PreparedMachine* theirs, unsigned horizon, ClassReplies& beliefs) {
+  const PathPayoffs paid(path, beliefs.payoffs(), beliefs.criterion());
   SideGaps gaps;
-  if (theirs != nullptr) gaps.nash = nash_gap(path, *theirs, payoffs, criterion, question.horizon);
-  gaps.self_confirming_unrestricted = unrestricted_gap(path, payoffs, criterion);
-  gaps.self_confirming_class = class_gap(path, beliefs);
+  if (theirs != nullptr) gaps.nash = reply_gap(path, paid, theirs->reply(horizon));
+  gaps.self_confirming_unrestricted = unrestricted_gap(path, paid, beliefs.payoffs());
+  gaps.self_confirming_class = class_gap(path, paid, beliefs);
   return gaps;
 }
 
-SideGaps gaps_by_chance(const Automaton& own, const Automaton& theirs, ClassReplies& beliefs) {
+SideGaps gaps_by_chance(PreparedMachine& own, PreparedMachine& theirs, ClassReplies& beliefs) {
   const auto& payoffs = beliefs.payoffs();
   const auto& criterion = beliefs.criterion();
+  const double paid = expected_payoff(own.table(), theirs.table(), payoffs, criterion);
   SideGaps gaps;
-  gaps.nash = nash_gap(own, theirs, payoffs, criterion);
-  gaps.self_confirming_unrestricted = unrestricted_gap(own, theirs, payoffs, criterion);
-  gaps.self_confirming_class = class_gap(own, theirs, beliefs);
+  gaps.nash = reply_gap(paid, rounding_of(payoffs, criterion), theirs.reply());
+  gaps.self_confirming_unrestricted = unrestricted_gap(own.table(), theirs.table(), paid, payoffs, criterion);
+  gaps.self_confirming_class = class_gap(own.table(), theirs.table(), paid, beliefs);
   return gaps;
 }
 
 /// Subgame perfection wants every joint state; pairs that have too many of them are left undecided.
-void add_subgame_perfect(PairGaps& gaps, const Machine& first, const Machine& second,
-                         const EquilibriumQuestion& question) {
-  const auto& criterion = question.criterion;
-  if (!criterion.is_finite() && (!first.finite() || !second.finite())) return;
+void add_subgame_perfect(PairGaps& gaps, const PreparedPair& pair) {
+  if (pair.first().endless() || pair.second().endless()) return;
   try {
-    const Automaton a = minimise(table_for(first, criterion, Sense::any_own_moves, 0), Sense::any_own_moves);
-    const Automaton b = minimise(table_for(second, criterion, Sense::any_own_moves, 0), Sense::any_own_moves);
-    auto [own, theirs] = subgame_perfect_gaps(a, b, question.payoffs, criterion);
+    auto [own, theirs] = subgame_perfect_gaps(pair.first().minimal(), pair.second().minimal(), pair.first().payoffs(),
+                                              pair.first().criterion());
     gaps.first.subgame_perfect = std::move(own);
     gaps.second.subgame_perfect = std::move(theirs);
   } catch (const UsageError&) {
@@ -50,10 +44,22 @@ void add_subgame_perfect(PairGaps& gaps, const Machine& first, const Machine& se
   }
 }
 
+/// A machine that the caller keeps.
+std::shared_ptr<const Machine> lent(const Machine& machine) { return {std::shared_ptr<const Machine>(), &machine}; }
+
+PairGaps gaps_over_both(const PlayPath& match, PreparedMachine* first, PreparedMachine* second, unsigned horizon,
+                        ClassReplies& beliefs) {
+  return {gaps_over(match, second, horizon, beliefs), gaps_over(match.exchanged(), first, horizon, beliefs)};
+}
+
 }  // namespace
 
 ClassReplies class_replies(const EquilibriumQuestion& question) {
   return {question.beliefs, question.payoffs, question.criterion, question.horizon};
+}
+
+PairGaps match_gaps(const PlayPath& match, PreparedMachine* first, PreparedMachine* second, ClassReplies& beliefs) {
+  return gaps_over_both(match, first, second, 0, beliefs);  // a match has an end: no horizon counts
 }
 
 PairGaps match_gaps(const PlayPath& match, const Machine* first, const Machine* second,
@@ -64,7 +70,21 @@ PairGaps match_gaps(const PlayPath& match, const Machine* first, const Machine* 
 
 PairGaps match_gaps(const PlayPath& match, const Machine* first, const Machine* second,
                     const EquilibriumQuestion& question, ClassReplies& beliefs) {
-  return {gaps_over(match, second, question, beliefs), gaps_over(match.exchanged(), first, question, beliefs)};
+  PreparedMachines machines(question.payoffs, question.criterion);
+  const auto prepared = [&](const Machine* machine) { return machine ? &machines.of(lent(*machine)) : nullptr; };
+  return gaps_over_both(match, prepared(first), prepared(second), question.horizon, beliefs);
+}
+
+PairGaps pair_gaps(const PreparedPair& pair, ClassReplies& beliefs) {
+  PairGaps gaps;
+  if (pair.path()) {
+    gaps = gaps_over_both(*pair.path(), &pair.first(), &pair.second(), pair.horizon(), beliefs);
+  } else {
+    gaps.first = gaps_by_chance(pair.first(), pair.second(), beliefs);
+    gaps.second = gaps_by_chance(pair.second(), pair.first(), beliefs);
+  }
+  add_subgame_perfect(gaps, pair);
+  return gaps;
 }
 
 PairGaps pair_gaps(const Machine& first, const Machine& second, const EquilibriumQuestion& question) {
@@ -74,26 +94,8 @@ PairGaps pair_gaps(const Machine& first, const Machine& second, const Equilibriu
 
 PairGaps pair_gaps(const Machine& first, const Machine& second, const EquilibriumQuestion& question,
                    ClassReplies& beliefs) {
-  const auto& criterion = question.criterion;
-  PairGaps gaps;
-  if (first.deterministic() && second.deterministic()) {
-    if (!criterion.is_finite())  // refuse machines without end before their path is sought
-      for (const Machine* machine : {&first, &second})
-        if (!machine->finite()) table_for(*machine, criterion, Sense::own_moves_its_own, question.horizon);
-    const PlayPath path = play_path(first, second, criterion, question.horizon);
-    gaps = match_gaps(path, &first, &second, question, beliefs);
-  } else {
-    if (!criterion.is_finite() && !(first.finite() && second.finite()))
-      throw UsageError(
-          fmt::format("a machine without end in a pair that mixes, under {}: no --horizon helps, take finite:T",
-                      criterion.to_string()));
-    const Automaton a = table_for(first, criterion, Sense::own_moves_its_own, 0);
-    const Automaton b = table_for(second, criterion, Sense::own_moves_its_own, 0);
-    gaps.first = gaps_by_chance(a, b, beliefs);
-    gaps.second = gaps_by_chance(b, a, beliefs);
-  }
-  add_subgame_perfect(gaps, first, second, question);
-  return gaps;
+  PreparedMachines machines(question.payoffs, question.criterion);
+  return pair_gaps(PreparedPair(machines.of(lent(first)), machines.of(lent(second)), question.horizon), beliefs);
 }
 
 }  // namespace folk

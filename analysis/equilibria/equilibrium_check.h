@@ -2,8 +2,10 @@
 // Is a pair of strategies in equilibrium? The gaps of every notion, for both sides, by the most exact way there is.
 
 #include <folk/analysis/equilibria/gap.h>
+#include <folk/analysis/equilibria/prepared_pair.h>
 #include <folk/analysis/play/play_path.h>
 #include <folk/analysis/replies/class_replies.h>
+#include <folk/analysis/replies/prepared_machine.h>
 #include <folk/games/criterion.h>
 #include <folk/games/payoffs.h>
 #include <folk/strategies/strategy.h>
@@ -36,18 +38,21 @@ struct PairGaps {
 };
 
 /// The class that the question names. Whoever asks the same of many pairs keeps it, so that the best reply to a member
-/// is found once; the calls without it make their own.
+/// is found once, and prepares its pairs with machines(); the calls without it make their own.
 ClassReplies class_replies(const EquilibriumQuestion& question);
 
-/// Two machines.
-/// Throws UsageError when one is infinite, the criterion has no end and no horizon is given, and on pairs too large to
+/// Two machines, prepared under the payoffs and the criterion of `beliefs`. Throws UsageError on pairs too large to
 /// solve.
+PairGaps pair_gaps(const PreparedPair& pair, ClassReplies& beliefs);
+
+/// The same, made ready here. Throws UsageError as PreparedPair does, too.
 PairGaps pair_gaps(const Machine& first, const Machine& second, const EquilibriumQuestion& question);
 PairGaps pair_gaps(const Machine& first, const Machine& second, const EquilibriumQuestion& question,
                    ClassReplies& beliefs);
 
 /// A match under finite:T that was really played without chance; a side that is no machine is null. What can be gained
 /// against such a side is not known, nor is subgame perfection.
+PairGaps match_gaps(const PlayPath& match, PreparedMachine* first, PreparedMachine* second, ClassReplies& beliefs);
 PairGaps match_gaps(const PlayPath& match, const Machine* first, const Machine* second,
                     const EquilibriumQuestion& question);
 PairGaps match_gaps(const PlayPath& match, const Machine* first, const Machine* second,

@@ -50,6 +50,12 @@ Gap reply_gap(const PlayPath& path, const PathPayoffs& paid, const BestReply& re
   return gap;
 }
 
+Gap reply_gap(double paid, double rounding, const BestReply& reply) {
+  Gap gap = rounded_gap(reply.payoff - paid, reply.residual + rounding, {{}, std::nullopt, "best reply", {}});
+  if (gap.gain > 0) gap.witness.reply = std::make_shared<const Automaton>(reply.machine);
+  return gap;
+}
+
 Gap nash_gap(const PlayPath& path, const Machine& theirs, const Payoffs& payoffs, const Criterion& criterion,
              unsigned horizon) {
   const PathPayoffs paid(path, payoffs, criterion);
@@ -69,12 +75,8 @@ double expected_payoff(const Automaton& own, const Automaton& theirs, const Payo
 }
 
 Gap nash_gap(const Automaton& own, const Automaton& theirs, const Payoffs& payoffs, const Criterion& criterion) {
-  const double paid = expected_payoff(own, theirs, payoffs, criterion);
-  const BestReply reply = best_reply(theirs, {payoffs, criterion});
-  const double rounding = reply.residual + rounding_of(payoffs, criterion);
-  Gap gap = rounded_gap(reply.payoff - paid, rounding, {{}, std::nullopt, "best reply", {}});
-  if (gap.gain > 0) gap.witness.reply = std::make_shared<const Automaton>(reply.machine);
-  return gap;
+  return reply_gap(expected_payoff(own, theirs, payoffs, criterion), rounding_of(payoffs, criterion),
+                   best_reply(theirs, {payoffs, criterion}));
 }
 
 }  // namespace folk

@@ -18,8 +18,11 @@ Gap nash_gap(const PlayPath& path, const Machine& theirs, const Payoffs& payoffs
 /// The same where chance plays a part: over what `own` earns on average.
 Gap nash_gap(const Automaton& own, const Automaton& theirs, const Payoffs& payoffs, const Criterion& criterion);
 
-/// The gain over the path of a best reply to some machine that plays along with it.
+/// The gain over the path of a best reply to some machine that plays along with it. `paid`: what the path pays.
 Gap reply_gap(const PlayPath& path, const PathPayoffs& paid, const BestReply& reply);
+
+/// The gain of a best reply over what is `paid` on average, in the criterion's unit; `rounding` is that of `paid`.
+Gap reply_gap(double paid, double rounding, const BestReply& reply);
 
 /// What a pair earns its first machine on average, in the criterion's unit. Throws UsageError when the pair is too
 /// large to solve.

@@ -107,7 +107,10 @@ void keep_least(std::optional<Gap>& least, Gap gap) {
 Rational mixed_minmax(const Payoffs& payoffs) { return minmax(stage_game(payoffs), Seat::first).mixed; }
 
 Gap unrestricted_gap(const PlayPath& path, const Payoffs& payoffs, const Criterion& criterion) {
-  const PathPayoffs paid(path, payoffs, criterion);
+  return unrestricted_gap(path, PathPayoffs(path, payoffs, criterion), payoffs);
+}
+
+Gap unrestricted_gap(const PlayPath& path, const PathPayoffs& paid, const Payoffs& payoffs) {
   const Rational v = mixed_minmax(payoffs);
   const double rate = to_double(v);
   // Only what may exceed the best of what is surely gained can be the largest. Shares, as weights become tiny.
@@ -133,6 +136,11 @@ Gap unrestricted_gap(const PlayPath& path, const Payoffs& payoffs, const Criteri
 
 Gap unrestricted_gap(const Automaton& own, const Automaton& theirs, const Payoffs& payoffs,
                      const Criterion& criterion) {
+  return unrestricted_gap(own, theirs, expected_payoff(own, theirs, payoffs, criterion), payoffs, criterion);
+}
+
+Gap unrestricted_gap(const Automaton& own, const Automaton& theirs, double paid, const Payoffs& payoffs,
+                     const Criterion& criterion) {
   const ReplyProblem problem = path_problem(JointPlay(own, theirs, Sense::own_moves_its_own), payoffs);
   double best = 0;
   double residual = 2 * rounding_of(payoffs, criterion);
@@ -143,12 +151,14 @@ Gap unrestricted_gap(const Automaton& own, const Automaton& theirs, const Payoff
     best = reply.values[problem.start];
     residual += reply.residual;
   }
-  return rounded_gap(best - expected_payoff(own, theirs, payoffs, criterion), residual,
-                     {{}, std::nullopt, "best reply along the path, minmax off it", {}});
+  return rounded_gap(best - paid, residual, {{}, std::nullopt, "best reply along the path, minmax off it", {}});
 }
 
 std::optional<Gap> class_gap(const PlayPath& path, ClassReplies& beliefs) {
-  const PathPayoffs paid(path, beliefs.payoffs(), beliefs.criterion());
+  return class_gap(path, PathPayoffs(path, beliefs.payoffs(), beliefs.criterion()), beliefs);
+}
+
+std::optional<Gap> class_gap(const PlayPath& path, const PathPayoffs& paid, ClassReplies& beliefs) {
   const bool mean = beliefs.criterion().kind() == Criterion::Kind::mean;
   std::optional<Gap> least;
   std::vector<std::string> left_out;
@@ -167,8 +177,11 @@ std::optional<Gap> class_gap(const PlayPath& path, ClassReplies& beliefs) {
 }
 
 std::optional<Gap> class_gap(const Automaton& own, const Automaton& theirs, ClassReplies& beliefs) {
+  return class_gap(own, theirs, expected_payoff(own, theirs, beliefs.payoffs(), beliefs.criterion()), beliefs);
+}
+
+std::optional<Gap> class_gap(const Automaton& own, const Automaton& theirs, double paid, ClassReplies& beliefs) {
   const auto& criterion = beliefs.criterion();
-  const double paid = expected_payoff(own, theirs, beliefs.payoffs(), criterion);
   const double rounding = rounding_of(beliefs.payoffs(), criterion);
   std::optional<Gap> least;
   std::vector<std::string> left_out;

@@ -5,6 +5,7 @@
 #include <folk/analysis/equilibria/gap.h>
 #include <folk/analysis/play/play_path.h>
 #include <folk/analysis/replies/class_replies.h>
+#include <folk/analysis/replies/path_payoffs.h>
 #include <folk/games/criterion.h>
 #include <folk/games/payoffs.h>
 #include <folk/strategies/automaton.h>
@@ -12,6 +13,9 @@
 #include <optional>
 
 namespace folk {
+
+// Where `paid` is given, it is what the path or the pair pays the side (PathPayoffs, expected_payoff): whoever asks
+// several gaps of a pair finds it once.
 
 /// To how little the opponent can hold a player of this game by mixing: what the worst belief expects off the path.
 Rational mixed_minmax(const Payoffs& payoffs);
@@ -21,19 +25,24 @@ Rational mixed_minmax(const Payoffs& payoffs);
 ///   max(0, max over path rounds t and deviations a' of w_t [r(a', b_t) + v from then on - the path's payoff from t]),
 /// w_t = 1 for finite, continuation^(t-1) for discounted and ending; v - the path's mean for mean. Exact.
 Gap unrestricted_gap(const PlayPath& path, const Payoffs& payoffs, const Criterion& criterion);
+Gap unrestricted_gap(const PlayPath& path, const PathPayoffs& paid, const Payoffs& payoffs);
 
 /// The same where chance plays a part: a best reply when every own move that `own` never makes in its situation leads
 /// to v for ever. Automata for finite:T are unrolled over T rounds.
 Gap unrestricted_gap(const Automaton& own, const Automaton& theirs, const Payoffs& payoffs, const Criterion& criterion);
+Gap unrestricted_gap(const Automaton& own, const Automaton& theirs, double paid, const Payoffs& payoffs,
+                     const Criterion& criterion);
 
 /// Beliefs of a class: the least gain of a best reply over the machines of `beliefs` that agree with the opponent on
 /// the path (no mixtures of them; ties by roster order). The witness names that machine. Nothing when none agrees.
 /// Infinite members count within the horizon of `beliefs` under discounted and ending; under mean they are
 /// left out, and unless another member gives 0 the gap is then a bound (0) that says so.
 std::optional<Gap> class_gap(const PlayPath& path, ClassReplies& beliefs);
+std::optional<Gap> class_gap(const PlayPath& path, const PathPayoffs& paid, ClassReplies& beliefs);
 
 /// The same where chance plays a part: members agree when their P(C) is the opponent's after every history of positive
 /// probability. Infinite members do not count under criteria without end.
 std::optional<Gap> class_gap(const Automaton& own, const Automaton& theirs, ClassReplies& beliefs);
+std::optional<Gap> class_gap(const Automaton& own, const Automaton& theirs, double paid, ClassReplies& beliefs);
 
 }  // namespace folk

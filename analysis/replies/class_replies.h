@@ -2,13 +2,13 @@
 // The machines that a side may hold its opponent to be, and the best reply to each.
 
 #include <folk/analysis/replies/best_reply.h>
+#include <folk/analysis/replies/prepared_machine.h>
 #include <folk/games/criterion.h>
 #include <folk/games/payoffs.h>
 #include <folk/strategies/automaton.h>
 #include <folk/strategies/strategy.h>
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 namespace folk {
@@ -21,8 +21,8 @@ public:
   ClassReplies(std::vector<Strategy> members, const Payoffs& payoffs, const Criterion& criterion, unsigned horizon = 0);
 
   const std::vector<Strategy>& members() const { return members_; }
-  const Payoffs& payoffs() const { return payoffs_; }
-  const Criterion& criterion() const { return criterion_; }
+  const Payoffs& payoffs() const { return machines_.payoffs(); }
+  const Criterion& criterion() const { return machines_.criterion(); }
   unsigned horizon() const { return horizon_; }
 
   /// True for a machine that has no end under a criterion that has none: its figures are bounds.
@@ -34,13 +34,13 @@ public:
   /// Such a member as a table, in the sense own_moves_its_own. Throws UsageError as table_for does.
   const Automaton& table(std::size_t member);
 
+  /// Where the members were prepared: a machine that is also played comes from here and is prepared only once.
+  PreparedMachines& machines() { return machines_; }
+
 private:
   std::vector<Strategy> members_;
-  Payoffs payoffs_;
-  Criterion criterion_;
   unsigned horizon_;
-  std::vector<std::optional<BestReply>> replies_;
-  std::vector<std::optional<Automaton>> tables_;
+  PreparedMachines machines_;
 };
 
 }  // namespace folk
