@@ -36,7 +36,8 @@ BestReply stationary_best_reply(const ReplyProblem& problem, const Criterion& cr
 
 BestReply best_reply(const Machine& opponent, const MatchRules& rules, unsigned horizon) {
   const auto& [payoffs, criterion, noise] = rules;
-  if (criterion.is_finite()) return finite_reply(FiniteBestReply(opponent, payoffs, criterion.rounds(), noise), payoffs);
+  if (criterion.is_finite())
+    return finite_reply(FiniteBestReply(opponent, payoffs, criterion.rounds(), noise), payoffs);
   const Sense sense = noise > 0 ? Sense::any_own_moves : Sense::own_moves_its_own;
   return stationary_best_reply(reply_problem(table_for(opponent, criterion, sense, horizon), payoffs, noise), criterion,
                                horizon);

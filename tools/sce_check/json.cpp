@@ -131,7 +131,7 @@ Json reply_of(const Certificate& verdict) {
   return write_machine("best_reply", *verdict.reply);
 }
 
-Json verdicts_of(const Verdicts& verdicts, const std::array<std::string, all_notions.size()>* worst) {
+Json verdicts_of(const Certificates& verdicts, const std::array<std::string, all_notions.size()>* worst) {
   Json object = Json::object();
   for (std::size_t n = 0; n < all_notions.size(); ++n) {
     const auto& verdict = verdicts[n];
@@ -207,7 +207,7 @@ void write_json(std::ostream& out, const SceQuestion& question, const SceReport&
   Json opponents = Json::array();
   for (const auto& opponent : report.opponents) opponents.push_back(opponent_of(opponent, question));
   const Json object = {{"policy", question.policy.name},
-                       {"game", to_text(question.game.payoffs)},
+                       {"game", to_text(question.payoffs)},
                        {"criterion", question.criterion.to_string()},
                        {"class", question.class_spec},
                        {"side", question.sides == Sides::both    ? "both"

@@ -89,7 +89,7 @@ Html question_list(const SceQuestion& question) {
   const auto add = [&](const Html& name, const Html& value) { list += element("dt", name) + element("dd", value); };
   add("policy", question.policy.name);
   add("opponents", question.opponents_spec);
-  add("game", question.game.title + ", " + to_text(question.game.payoffs));
+  add("game", question.game.title + ", " + to_text(question.payoffs));
   add("criterion", question.criterion.to_string());
   add("class of beliefs", fmt::format("{} ({} machine{})", question.class_spec, question.beliefs.size(),
                                       question.beliefs.size() == 1 ? "" : "s"));

@@ -57,8 +57,7 @@ std::optional<std::string> required(const po::variables_map& values) {
       fmt::format("--require '{}': expected nash, subgame-perfect, self-confirming or beliefs", excerpt(text)));
 }
 
-std::vector<Strategy> class_of(const Registry& registry, const std::string& spec, const Payoffs& payoffs) {
-  auto beliefs = registry.roster(spec, payoffs);
+std::vector<Strategy> class_of(const std::string& spec, std::vector<Strategy> beliefs) {
   std::erase_if(beliefs, [](const Strategy& strategy) { return !strategy.machine; });
   if (beliefs.empty())
     throw UsageError(fmt::format("--class {}: no machine is in it, and beliefs are machines", excerpt(spec)));
@@ -105,7 +104,8 @@ SceQuestion sce_question(const po::variables_map& values) {
   question.game = chosen_game(values);
   const bool own_game = values.count("payoffs") == 0 && values.count("game") == 0;
   if (training != nullptr && own_game) question.game.payoffs = training->payoffs;
-  const Payoffs& payoffs = question.game.payoffs;
+  question.payoffs = question.game.payoffs;
+  const Payoffs& payoffs = question.payoffs;
   question.policy = file ? sct::transformer(is_file ? "sct:" + names[0] : names[0], question.mind, options)
                          : registry.make(names[0], payoffs);
 
@@ -121,11 +121,16 @@ SceQuestion sce_question(const po::variables_map& values) {
     throw UsageError("OPPONENT and --opponents contradict: give one of them");
   const std::string trained_on = training != nullptr && !training->roster.empty() ? training->roster : "classics";
   question.opponents_spec = names.size() == 2 ? names[1] : text_option(values, "opponents", trained_on);
-  question.opponents = names.size() == 2 ? std::vector{registry.make(names[1], payoffs)}
-                                         : registry.roster(question.opponents_spec, payoffs);
+  if (names.size() == 2)
+    question.opponents = {names[1] == names[0] && !file ? question.policy : registry.make(names[1], payoffs)};
+  else
+    question.opponents = registry.roster(question.opponents_spec, payoffs);
+  question.imitated = registry.roster("classics", payoffs);
   question.class_spec = text_option(values, "class", question.opponents_spec);
   if (values.count("class") != 0)
-    question.beliefs = class_of(registry, question.class_spec, payoffs);
+    question.beliefs = class_of(question.class_spec, question.class_spec == question.opponents_spec
+                                                         ? question.opponents  // the same machines: prepared once
+                                                         : registry.roster(question.class_spec, payoffs));
   else
     std::copy_if(question.opponents.begin(), question.opponents.end(), std::back_inserter(question.beliefs),
                  [](const Strategy& strategy) { return strategy.machine != nullptr; });

@@ -94,7 +94,7 @@ std::vector<Column> columns_of(const SceReport& report) {
 
 std::string opponent_id(std::size_t opponent) { return fmt::format("opponent-{}", opponent + 1); }
 
-Html verdict_table(const Verdicts& verdicts, const std::array<std::string, all_notions.size()>* worst) {
+Html verdict_table(const Certificates& verdicts, const std::array<std::string, all_notions.size()>* worst) {
   std::vector<std::string> headings{"claim", "verdict", "gain", "shown by"};
   std::vector<std::string> classes{"claim", "verdict", "number", "long"};
   if (worst != nullptr) {

@@ -25,7 +25,7 @@ void write_header(std::ostream& out, const SceQuestion& question, const SceRepor
                          ? report.opponents.front().opponent
                          : fmt::format("the {} of {}", report.opponents.size(), question.opponents_spec));
   out << fmt::format("game {} ({}), {}, class {}, epsilon-belief {}, epsilon-payoff {}, depth {}, seed {}\n",
-                     question.game.title, to_text(question.game.payoffs), question.criterion.to_string(),
+                     question.game.title, to_text(question.payoffs), question.criterion.to_string(),
                      question.class_spec, question.epsilon_belief, to_text(question.epsilon_payoff), question.depth,
                      question.seed);
 }

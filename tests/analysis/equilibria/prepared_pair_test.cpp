@@ -34,7 +34,7 @@ TEST(PreparedPair, KeepsItsPathWhereNothingIsChance) {
   PreparedMachines machines({}, Criterion::discounted(0.9));
   const PreparedPair pure(machines.of(named("tit_for_tat")), machines.of(named("all_d")));
   ASSERT_TRUE(pure.path());
-  EXPECT_EQ(pure.path()->rounds, (std::vector<Round>{{Move::C, Move::D}, {Move::D, Move::D}}));
+  EXPECT_EQ(pure.path()->rounds, (std::vector<Outcome>{{Move::C, Move::D}, {Move::D, Move::D}}));
   EXPECT_FALSE(PreparedPair(machines.of(named("random(0.5)")), machines.of(named("all_d"))).path());
 }
 

@@ -3,6 +3,7 @@
 #include <folk/analysis/tournament/tournament.h>
 #include <folk/games/error.h>
 #include <folk/games/match.h>
+#include <folk/games/outcome.h>
 #include <gtest/gtest.h>
 
 #include <array>

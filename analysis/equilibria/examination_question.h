@@ -1,0 +1,44 @@
+#pragma once
+// What is asked of a policy and those it plays.
+
+#include <folk/analysis/equilibria/equilibrium_check.h>
+#include <folk/analysis/play/sampling.h>
+#include <folk/analysis/thresholds/thresholds.h>
+#include <folk/games/rational.h>
+#include <folk/strategies/strategy.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace folk {
+
+/// The equilibrium question of one policy against each of some opponents. A policy or an opponent that is no machine
+/// needs finite:T.
+struct ExaminationQuestion : EquilibriumQuestion {
+  Strategy policy;
+  std::vector<Strategy> opponents;
+  std::vector<Strategy>
+      imitated;                  ///< what these earn against a policy that is no machine, its opponents could earn too
+  Sides sides = Sides::both;     ///< whose gains a verdict is about
+  double epsilon_belief = 0.05;  ///< how far a belief may lie from the truth, total variation
+  Rational epsilon_payoff = 0;   ///< what a deviation may gain, in the criterion's unit
+  std::size_t depth = 6;         ///< of the search on the policy's own beliefs (own_belief_gap.h)
+  std::uint64_t repetitions = 100;  ///< matches of a pair that can only be sampled
+  std::uint64_t seed = 1;
+  unsigned threads = 1;  ///< the answers do not depend on it
+
+  Sampling sampling() const { return {{payoffs, criterion}, repetitions, seed, threads}; }
+};
+
+/// Told what is being done; what it returns is told the finished share of that, 0 to 1.
+using Stages = std::function<std::function<void(double)>(const std::string& stage)>;
+
+/// Begins a stage where somebody wants to know.
+inline std::function<void(double)> begin_stage(const Stages& stages, const std::string& stage) {
+  return stages ? stages(stage) : [](double) {};
+}
+
+}  // namespace folk

@@ -1,0 +1,54 @@
+#pragma once
+// What is found about a policy and one opponent, and the finding of it where both are machines.
+
+#include <folk/analysis/beliefs/belief_consistency.h>
+#include <folk/analysis/beliefs/belief_record.h>
+#include <folk/analysis/beliefs/own_belief_gap.h>
+#include <folk/analysis/equilibria/equilibrium_check.h>
+#include <folk/analysis/equilibria/examination_question.h>
+#include <folk/analysis/equilibria/verdict_summary.h>
+#include <folk/analysis/play/pair_result.h>
+#include <folk/analysis/play/play_path.h>
+#include <folk/analysis/replies/class_replies.h>
+#include <folk/analysis/thresholds/thresholds.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace folk {
+
+/// A situation that machines that mix come into with positive probability.
+struct InformationState {
+  std::vector<Outcome> history;  ///< a shortest one that leads there
+  double own = 1;                ///< P(C) of both
+  double theirs = 1;
+};
+
+/// Situations of machines that mix are listed up to this many.
+inline constexpr std::size_t most_listed_states = 1000;
+
+/// The policy against one opponent. What does not apply, or is not known, is empty.
+struct PairExamination {
+  std::string opponent;
+  std::optional<PlayPath> path{};          ///< of a pair without chance
+  std::size_t all_states = 0;              ///< how many such situations there are; the first of them:
+  std::vector<InformationState> states{};  ///< of machines that mix
+  double own_score = 0;                    ///< in the criterion's unit
+  double their_score = 0;
+  Method method = Method::cycle;              ///< how the scores were obtained
+  std::optional<BeliefRecord> record{};       ///< of a pair that is not two machines
+  std::optional<BeliefConsistency> belief{};  ///< of a policy that believes
+  PairGaps gaps{};
+  std::optional<Thresholds> thresholds{};    ///< of two deterministic finite machines
+  std::optional<OwnBeliefGap> own_search{};  ///< self_confirming_own in detail
+  Certificates verdicts{};
+};
+
+/// The question of two machines, judged. `beliefs` is class_replies(question), kept over the question's pairs: the
+/// machines are prepared there.
+/// Throws UsageError as PreparedPair and pair_gaps do, and as thresholds and play_pair do.
+PairExamination examine_machines(const ExaminationQuestion& question, const Strategy& opponent, ClassReplies& beliefs);
+
+}  // namespace folk
