@@ -18,11 +18,37 @@ else()
   list(APPEND options -DFOLK_TREE=${tree})
 endif()
 step(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build ${options})
-step(${CMAKE_COMMAND} --build ${WORK}/build --target consumer particle_world)
+step(${CMAKE_COMMAND} --build ${WORK}/build --target consumer check_equilibrium particle_world)
 if(MODE STREQUAL "installed")
   step(${WORK}/build/consumer)
   execute_process(COMMAND ${WORK}/build/particle_world OUTPUT_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
   if(NOT said STREQUAL "mean return of a predator: 205.23\n")
     message(FATAL_ERROR "particle_world said: ${said}")
+  endif()
+
+  # The conclusion of sce-check, notion by notion, from the program itself where it was built.
+  set(conclusion "nash: refuted, gain 0.5, in round 1, plays D, then best reply
+subgame_perfect: refuted, gain 0.32, in round 1, plays D, then both go on as their machines say
+self_confirming_unrestricted: certified, gain 0
+self_confirming_class: certified, gain 0, spiteful
+")
+  if(EXISTS ${FOLK_BUILD}/bin/sce-check)
+    execute_process(COMMAND ${FOLK_BUILD}/bin/sce-check pavlov pavlov --criterion discounted:0.6 --class classics
+                            --format json OUTPUT_VARIABLE report COMMAND_ERROR_IS_FATAL ANY)
+    set(conclusion "")
+    foreach(notion nash subgame_perfect self_confirming_unrestricted self_confirming_class)
+      foreach(part word margin_exact witness)
+        string(JSON ${part} GET ${report} overall verdicts ${notion} ${part})
+      endforeach()
+      string(APPEND conclusion "${notion}: ${word}, gain ${margin_exact}")
+      if(witness)
+        string(APPEND conclusion ", ${witness}")
+      endif()
+      string(APPEND conclusion "\n")
+    endforeach()
+  endif()
+  execute_process(COMMAND ${WORK}/build/check_equilibrium OUTPUT_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
+  if(NOT said STREQUAL conclusion)
+    message(FATAL_ERROR "check_equilibrium said:\n${said}and not:\n${conclusion}")
   endif()
 endif()
