@@ -167,7 +167,7 @@ void sct_tournament(benchmark::State& state) {
   roster.push_back(transformer("sct", mind));
   TournamentSettings settings;
   settings.threads = static_cast<unsigned>(state.range(0));
-  for (auto _ : state) benchmark::DoNotOptimize(Tournament(roster, core, settings).signature());
+  for (auto _ : state) benchmark::DoNotOptimize(play_tournament(roster, core, settings).signature());
 }
 BENCHMARK(sct_tournament)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
 

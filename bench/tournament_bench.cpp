@@ -21,7 +21,7 @@ void classics_tournament(benchmark::State& state) {
   const auto roster = Registry::standard().roster("classics");
   const auto settings = over(static_cast<std::uint64_t>(state.range(0)));
   for (auto _ : state) {
-    const Tournament tournament(roster, roster.size(), settings);
+    const auto tournament = play_tournament(roster, roster.size(), settings);
     benchmark::DoNotOptimize(tournament.signature());
   }
 }
@@ -57,7 +57,7 @@ void both_families(benchmark::State& state) {
   for (auto _ : state) {
     auto roster = Registry::standard().roster("memory(1,2),memory(2,1)");
     const std::size_t core = roster.size();
-    const Tournament tournament(std::move(roster), core, settings);
+    const auto tournament = play_tournament(std::move(roster), core, settings);
     benchmark::DoNotOptimize(tournament.signature());
     state.counters["behaviours"] = static_cast<double>(tournament.behaviours());
   }
@@ -84,7 +84,7 @@ void one_markov_pair(benchmark::State& state) {
   TournamentSettings settings = over(100);
   if (state.range(0) == 1) settings.criterion = Criterion::mean();
   const auto roster = Registry::standard().roster("gtft(0.3),joss(0.9)");
-  for (auto _ : state) benchmark::DoNotOptimize(Tournament(roster, 2, settings).signature());
+  for (auto _ : state) benchmark::DoNotOptimize(play_tournament(roster, 2, settings).signature());
 }
 BENCHMARK(one_markov_pair)->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
 

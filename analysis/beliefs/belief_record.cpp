@@ -116,7 +116,7 @@ bool is_deterministic(const Strategy& strategy) {
 }
 
 std::vector<BeliefRecord> record_beliefs(const Strategy& policy, const std::vector<Strategy>& opponents,
-                                         const Sampling& sampling, const std::function<void(double)>& progress) {
+                                         const Sampling& sampling, const Progress& progress) {
   std::vector<BeliefRecord> records;
   std::uint64_t matches = 0;
   for (const auto& opponent : opponents) {
@@ -152,8 +152,7 @@ std::vector<BeliefRecord> record_beliefs(const Strategy& policy, const std::vect
       company.think(tables, sampling.threads);
       for (const auto& table : tables) table->play_round();
       const double share = static_cast<double>(t + 1) / static_cast<double>(sampling.criterion.rounds());
-      if (progress)
-        progress((static_cast<double>(next) + share * static_cast<double>(size)) / static_cast<double>(seats.size()));
+      progress((static_cast<double>(next) + share * static_cast<double>(size)) / static_cast<double>(seats.size()));
     }
     for (std::size_t i = 0; i < size; ++i) records[seats[next + i].opponent].matches.push_back(tables[i]->take_match());
     next += size;

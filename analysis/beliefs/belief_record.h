@@ -3,11 +3,11 @@
 
 #include <folk/analysis/play/sampling.h>
 #include <folk/games/outcome.h>
+#include <folk/games/progress.h>
 #include <folk/strategies/strategy.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,9 +46,8 @@ bool is_deterministic(const Strategy& strategy);
 /// Where both sides are machines or think together, up to most_matches_at_once matches are played side by side with
 /// sampling.threads threads; the records depend on neither. `progress` is told the finished share, 0 to 1.
 /// Throws UsageError for another criterion, for noise (a slip is no belief about the opponent) and for more than
-/// most_recorded_rounds, and what the players throw.
+/// most_recorded_rounds, Cancelled, and what the players throw.
 std::vector<BeliefRecord> record_beliefs(const Strategy& policy, const std::vector<Strategy>& opponents,
-                                         const Sampling& sampling,
-                                         const std::function<void(double)>& progress = nullptr);
+                                         const Sampling& sampling, const Progress& progress = nullptr);
 
 }  // namespace folk

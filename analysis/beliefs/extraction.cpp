@@ -22,15 +22,14 @@ constexpr std::size_t histories_at_once = 16;
 /// Lays all moves of an opponent in the first rounds out in a prefix tree.
 class AllPlay {
 public:
-  AllPlay(const Strategy& policy, const ExtractionOptions& options, std::uint64_t rounds, PrefixTree& tree)
-      : world_(policy, options.payoffs, Criterion::finite(rounds), options.threads),
+  AllPlay(const Strategy& policy, const ExtractionOptions& options, std::uint64_t rounds, PrefixTree& tree,
+          const Progress& progress)
+      : progress_(progress),
+        world_(policy, options.payoffs, Criterion::finite(rounds), options.threads),
         depth_(options.depth),
         tree_(tree) {}
 
-  void lay_out(const std::function<void(double)>& progress) {
-    progress_ = &progress;
-    explore({{BelievedWorld::start, 0}});
-  }
+  void lay_out() { explore({{BelievedWorld::start, 0}}); }
 
 private:
   using Places = std::vector<std::pair<BelievedWorld::Node, std::uint32_t>>;  // the same history in both
@@ -41,7 +40,7 @@ private:
     world_.think(nodes);
     for (const auto& [node, place] : places) tree_.see(place, world_.own(node));
     seen_ += nodes.size();
-    if (*progress_) (*progress_)(static_cast<double>(seen_) / (std::exp2(depth_ + 1) - 1));
+    progress_(static_cast<double>(seen_) / (std::exp2(depth_ + 1) - 1));
     if (world_.round(nodes.front()) < depth_) {
       Places next;
       for (const auto& [node, place] : places) {
@@ -54,10 +53,10 @@ private:
     world_.dismiss(nodes);
   }
 
+  Progress progress_;
   BelievedWorld world_;
   unsigned depth_;
   PrefixTree& tree_;
-  const std::function<void(double)>* progress_ = nullptr;
   std::size_t seen_ = 0;
 };
 
@@ -177,21 +176,16 @@ Fidelity fidelity(const Automaton& automaton, const std::vector<Strategy>& oppon
 
 std::vector<Extraction> extract_machines(const Strategy& policy, const std::vector<Strategy>& opponents,
                                          const std::vector<BeliefRecord>& records, const ExtractionOptions& options,
-                                         const std::function<void(double)>& progress) {
+                                         const Progress& progress) {
   check_records(opponents, records);
   const std::uint64_t rounds = check(policy, records, options);
   PrefixTree tree;
   add_matches(records, options.ignored_last, tree);
-  const auto laid_out = [&](double done) {
-    if (progress) progress(done / 2);
-  };
-  if (options.depth > 0) AllPlay(policy, options, rounds, tree).lay_out(laid_out);
+  if (options.depth > 0) AllPlay(policy, options, rounds, tree, progress.part(0, 0.5)).lay_out();
 
   std::vector<MergedMachine> merged(options.state_prices.size(), {Automaton({{1, {0, 0, 0, 0}}}, 0)});
   const auto merge = [&](std::size_t i, unsigned) { merged[i] = merge_states(tree, options.state_prices[i]); };
-  parallel_for(merged.size(), options.threads, merge, [&](double done) {
-    if (progress) progress((1 + done) / 2);
-  });
+  parallel_for(merged.size(), options.threads, merge, progress.part(0.5, 1));
 
   std::vector<Extraction> extractions;
   for (std::size_t i = 0; i < merged.size(); ++i) {

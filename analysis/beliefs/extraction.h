@@ -3,11 +3,11 @@
 
 #include <folk/analysis/beliefs/belief_record.h>
 #include <folk/games/payoffs.h>
+#include <folk/games/progress.h>
 #include <folk/strategies/automaton.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -70,11 +70,11 @@ struct Extraction {
 /// price costs in moves is what these figures show.
 ///
 /// Throws UsageError when the policy draws random numbers, records and opponents do not belong together, the depth
-/// passes 16 or the length of the matches, or nothing is left to build from, and what the players throw. The result
-/// depends on no number of threads.
+/// passes 16 or the length of the matches, or nothing is left to build from, Cancelled, and what the players throw. The
+/// result depends on no number of threads.
 std::vector<Extraction> extract_machines(const Strategy& policy, const std::vector<Strategy>& opponents,
                                          const std::vector<BeliefRecord>& records, const ExtractionOptions& options,
-                                         const std::function<void(double)>& progress = nullptr);
+                                         const Progress& progress = nullptr);
 
 /// The one to draw: of those with at most `most_states` states that which plays the matches most faithfully (told when
 /// none can be played), then the one with the fewest wrong moves, then the smallest, then the first. When none of them

@@ -58,8 +58,10 @@ struct Found {
 
 class Search {
 public:
-  Search(const Strategy& player, const std::vector<BeliefMatch>& paths, const OwnBeliefSearch& options)
-      : options_(options),
+  Search(const Strategy& player, const std::vector<BeliefMatch>& paths, const OwnBeliefSearch& options,
+         const Progress& progress)
+      : progress_(progress),
+        options_(options),
         paths_(paths),
         rounds_(paths.front().size()),
         payoffs_(whole_payoffs(options.payoffs)),
@@ -77,6 +79,7 @@ public:
     for (std::size_t k = 0; k < rounds_; ++k) {
       // Who is told a whole match anew thinks about all of its rounds on the way to the last.
       const std::size_t t = world_.clones() ? k : rounds_ - 1 - k;
+      progress_.check();
       std::vector<Node> now;
       for (const auto& path : nodes_) now.push_back(path[t]);
       world_.think(now);
@@ -88,7 +91,7 @@ public:
     return true;
   }
 
-  void run(const std::vector<std::size_t>& rounds, const std::function<void(double)>& progress) {
+  void run(const std::vector<std::size_t>& rounds) {
     const auto order = spread(rounds.size());
     for (std::size_t first = 0; first < order.size() && world_.thoughts() < options_.most_thoughts;
          first += rounds_at_once) {
@@ -100,7 +103,7 @@ public:
       }
       search(roots);
       world_.dismiss();
-      if (progress) progress(share_done(std::min(first + rounds_at_once, order.size()), order.size()));
+      progress_(share_done(std::min(first + rounds_at_once, order.size()), order.size()));
     }
   }
 
@@ -165,6 +168,7 @@ private:
   /// Own play for some rounds more, all lines side by side.
   void play_on(std::vector<Line>& lines, std::uint64_t rounds, const std::vector<Root>* prune_by) {
     for (std::uint64_t k = 0; k < rounds; ++k) {
+      progress_.check();
       if (prune_by != nullptr) drop_hopeless(lines, *prune_by);
       std::vector<Node> now;
       for (const auto& line : lines)
@@ -246,6 +250,7 @@ private:
     if (gain > found.gain) found = {gain, line, root.own_value, world_.round(root.node) + 1};
   }
 
+  const Progress& progress_;
   const OwnBeliefSearch& options_;
   const std::vector<BeliefMatch>& paths_;
   std::uint64_t rounds_;
@@ -285,15 +290,14 @@ void check(const std::vector<BeliefMatch>& paths, const OwnBeliefSearch& search)
 }  // namespace
 
 std::vector<std::optional<OwnBeliefGap>> own_belief_gaps(const Strategy& player, const std::vector<BeliefMatch>& paths,
-                                                         const OwnBeliefSearch& search,
-                                                         const std::function<void(double)>& progress) {
+                                                         const OwnBeliefSearch& search, const Progress& progress) {
   std::vector<std::optional<OwnBeliefGap>> gaps(paths.size());
   if (paths.empty() || player.machine || !player.deterministic) return gaps;
   check(paths, search);
   const auto rounds = asked_rounds(search, paths.front().size());
-  Search searched(player, paths, search);
+  Search searched(player, paths, search, progress);
   if (!searched.walk()) return gaps;
-  searched.run(rounds, progress);
+  searched.run(rounds);
   for (std::size_t i = 0; i < paths.size(); ++i) gaps[i] = searched.result(i);
   return gaps;
 }

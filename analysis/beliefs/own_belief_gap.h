@@ -3,10 +3,10 @@
 
 #include <folk/analysis/beliefs/belief_record.h>
 #include <folk/games/payoffs.h>
+#include <folk/games/progress.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -50,9 +50,10 @@ struct OwnBeliefGap {
 /// asked at the same time is asked together (Player::think_together). Nothing for a player that draws random numbers
 /// (Strategy::deterministic) or holds no beliefs. The result depends on no number of threads. `progress` is told the
 /// finished share, 0 to 1.
-/// Throws UsageError for paths of different lengths, a depth, beam or round out of range, and what the players throw.
+/// Throws UsageError for paths of different lengths, a depth, beam or round out of range, Cancelled, and what the
+/// players throw.
 std::vector<std::optional<OwnBeliefGap>> own_belief_gaps(const Strategy& player, const std::vector<BeliefMatch>& paths,
                                                          const OwnBeliefSearch& search,
-                                                         const std::function<void(double)>& progress = nullptr);
+                                                         const Progress& progress = nullptr);
 
 }  // namespace folk

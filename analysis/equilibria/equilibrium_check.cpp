@@ -10,24 +10,32 @@
 namespace folk {
 namespace {
 
+// Shares of the work that is left, roughly: a side's first notion, the two sides' paths.
+constexpr double nash_share = 0.2;
+constexpr double paths_share = 0.8;
+
 /// What one side can gain over a path without chance.
-SideGaps gaps_over(const PlayPath& path, PreparedMachine* theirs, unsigned horizon, ClassReplies& beliefs) {
+SideGaps gaps_over(const PlayPath& path, PreparedMachine* theirs, unsigned horizon, ClassReplies& beliefs,
+                   const Progress& progress) {
   const PathPayoffs paid(path, beliefs.payoffs(), beliefs.criterion());
   SideGaps gaps;
   if (theirs != nullptr) gaps.nash = reply_gap(path, paid, theirs->reply(horizon));
+  progress(nash_share);
   gaps.self_confirming_unrestricted = unrestricted_gap(path, paid, beliefs.payoffs());
-  gaps.self_confirming_class = class_gap(path, paid, beliefs);
+  gaps.self_confirming_class = class_gap(path, paid, beliefs, progress.part(nash_share, 1));
   return gaps;
 }
 
-SideGaps gaps_by_chance(PreparedMachine& own, PreparedMachine& theirs, ClassReplies& beliefs) {
+SideGaps gaps_by_chance(PreparedMachine& own, PreparedMachine& theirs, ClassReplies& beliefs,
+                        const Progress& progress) {
   const auto& payoffs = beliefs.payoffs();
   const auto& criterion = beliefs.criterion();
   const double paid = expected_payoff(own.table(), theirs.table(), payoffs, criterion);
   SideGaps gaps;
   gaps.nash = reply_gap(paid, rounding_of(payoffs, criterion), theirs.reply());
+  progress(nash_share);
   gaps.self_confirming_unrestricted = unrestricted_gap(own.table(), theirs.table(), paid, payoffs, criterion);
-  gaps.self_confirming_class = class_gap(own.table(), theirs.table(), paid, beliefs);
+  gaps.self_confirming_class = class_gap(own.table(), theirs.table(), paid, beliefs, progress.part(nash_share, 1));
   return gaps;
 }
 
@@ -48,8 +56,9 @@ void add_subgame_perfect(PairGaps& gaps, const PreparedPair& pair) {
 std::shared_ptr<const Machine> lent(const Machine& machine) { return {std::shared_ptr<const Machine>(), &machine}; }
 
 PairGaps gaps_over_both(const PlayPath& match, PreparedMachine* first, PreparedMachine* second, unsigned horizon,
-                        ClassReplies& beliefs) {
-  return {gaps_over(match, second, horizon, beliefs), gaps_over(match.exchanged(), first, horizon, beliefs)};
+                        ClassReplies& beliefs, const Progress& progress) {
+  return {gaps_over(match, second, horizon, beliefs, progress.part(0, 0.5)),
+          gaps_over(match.exchanged(), first, horizon, beliefs, progress.part(0.5, 1))};
 }
 
 }  // namespace
@@ -58,44 +67,49 @@ ClassReplies class_replies(const EquilibriumQuestion& question) {
   return {question.beliefs, question.payoffs, question.criterion, question.horizon};
 }
 
-PairGaps match_gaps(const PlayPath& match, PreparedMachine* first, PreparedMachine* second, ClassReplies& beliefs) {
-  return gaps_over_both(match, first, second, 0, beliefs);  // a match has an end: no horizon counts
+PairGaps match_gaps(const PlayPath& match, PreparedMachine* first, PreparedMachine* second, ClassReplies& beliefs,
+                    const Progress& progress) {
+  return gaps_over_both(match, first, second, 0, beliefs, progress);  // a match has an end: no horizon counts
 }
 
 PairGaps match_gaps(const PlayPath& match, const Machine* first, const Machine* second,
-                    const EquilibriumQuestion& question) {
+                    const EquilibriumQuestion& question, const Progress& progress) {
   ClassReplies beliefs = class_replies(question);
-  return match_gaps(match, first, second, question, beliefs);
+  return match_gaps(match, first, second, question, beliefs, progress);
 }
 
 PairGaps match_gaps(const PlayPath& match, const Machine* first, const Machine* second,
-                    const EquilibriumQuestion& question, ClassReplies& beliefs) {
+                    const EquilibriumQuestion& question, ClassReplies& beliefs, const Progress& progress) {
   PreparedMachines machines(question.payoffs, question.criterion);
   const auto prepared = [&](const Machine* machine) { return machine ? &machines.of(lent(*machine)) : nullptr; };
-  return gaps_over_both(match, prepared(first), prepared(second), question.horizon, beliefs);
+  return gaps_over_both(match, prepared(first), prepared(second), question.horizon, beliefs, progress);
 }
 
-PairGaps pair_gaps(const PreparedPair& pair, ClassReplies& beliefs) {
+PairGaps pair_gaps(const PreparedPair& pair, ClassReplies& beliefs, const Progress& progress) {
+  const Progress paths = progress.part(0, paths_share);
   PairGaps gaps;
   if (pair.path()) {
-    gaps = gaps_over_both(*pair.path(), &pair.first(), &pair.second(), pair.horizon(), beliefs);
+    gaps = gaps_over_both(*pair.path(), &pair.first(), &pair.second(), pair.horizon(), beliefs, paths);
   } else {
-    gaps.first = gaps_by_chance(pair.first(), pair.second(), beliefs);
-    gaps.second = gaps_by_chance(pair.second(), pair.first(), beliefs);
+    gaps.first = gaps_by_chance(pair.first(), pair.second(), beliefs, paths.part(0, 0.5));
+    gaps.second = gaps_by_chance(pair.second(), pair.first(), beliefs, paths.part(0.5, 1));
   }
   add_subgame_perfect(gaps, pair);
+  progress(1);
   return gaps;
 }
 
-PairGaps pair_gaps(const Machine& first, const Machine& second, const EquilibriumQuestion& question) {
+PairGaps pair_gaps(const Machine& first, const Machine& second, const EquilibriumQuestion& question,
+                   const Progress& progress) {
   ClassReplies beliefs = class_replies(question);
-  return pair_gaps(first, second, question, beliefs);
+  return pair_gaps(first, second, question, beliefs, progress);
 }
 
 PairGaps pair_gaps(const Machine& first, const Machine& second, const EquilibriumQuestion& question,
-                   ClassReplies& beliefs) {
+                   ClassReplies& beliefs, const Progress& progress) {
   PreparedMachines machines(question.payoffs, question.criterion);
-  return pair_gaps(PreparedPair(machines.of(lent(first)), machines.of(lent(second)), question.horizon), beliefs);
+  return pair_gaps(PreparedPair(machines.of(lent(first)), machines.of(lent(second)), question.horizon), beliefs,
+                   progress);
 }
 
 }  // namespace folk

@@ -8,6 +8,7 @@
 #include <folk/analysis/replies/prepared_machine.h>
 #include <folk/games/criterion.h>
 #include <folk/games/payoffs.h>
+#include <folk/games/progress.h>
 #include <folk/strategies/strategy.h>
 
 #include <optional>
@@ -42,20 +43,22 @@ struct PairGaps {
 ClassReplies class_replies(const EquilibriumQuestion& question);
 
 /// Two machines, prepared under the payoffs and the criterion of `beliefs`. Throws UsageError on pairs too large to
-/// solve.
-PairGaps pair_gaps(const PreparedPair& pair, ClassReplies& beliefs);
+/// solve; Cancelled.
+PairGaps pair_gaps(const PreparedPair& pair, ClassReplies& beliefs, const Progress& progress = nullptr);
 
 /// The same, made ready here. Throws UsageError as PreparedPair does, too.
-PairGaps pair_gaps(const Machine& first, const Machine& second, const EquilibriumQuestion& question);
 PairGaps pair_gaps(const Machine& first, const Machine& second, const EquilibriumQuestion& question,
-                   ClassReplies& beliefs);
+                   const Progress& progress = nullptr);
+PairGaps pair_gaps(const Machine& first, const Machine& second, const EquilibriumQuestion& question,
+                   ClassReplies& beliefs, const Progress& progress = nullptr);
 
 /// A match under finite:T that was really played without chance; a side that is no machine is null. What can be gained
 /// against such a side is not known, nor is subgame perfection.
-PairGaps match_gaps(const PlayPath& match, PreparedMachine* first, PreparedMachine* second, ClassReplies& beliefs);
+PairGaps match_gaps(const PlayPath& match, PreparedMachine* first, PreparedMachine* second, ClassReplies& beliefs,
+                    const Progress& progress = nullptr);
 PairGaps match_gaps(const PlayPath& match, const Machine* first, const Machine* second,
-                    const EquilibriumQuestion& question);
+                    const EquilibriumQuestion& question, const Progress& progress = nullptr);
 PairGaps match_gaps(const PlayPath& match, const Machine* first, const Machine* second,
-                    const EquilibriumQuestion& question, ClassReplies& beliefs);
+                    const EquilibriumQuestion& question, ClassReplies& beliefs, const Progress& progress = nullptr);
 
 }  // namespace folk

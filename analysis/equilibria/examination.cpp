@@ -22,16 +22,19 @@ auto against(const ExaminationQuestion& question, const Strategy& opponent, Work
 std::vector<PairExamination> examine_machine(const ExaminationQuestion& question, ClassReplies& beliefs,
                                              const Stages& stages) {
   std::vector<PairExamination> pairs;
-  const auto progress = begin_stage(stages, "checking pairs");
+  const Progress progress = begin_stage(stages, "checking pairs");
+  const auto all = static_cast<double>(question.opponents.size());
   for (const Strategy& opponent : question.opponents) {
+    const auto done = static_cast<double>(pairs.size());
+    const Progress part = progress.part(done / all, (done + 1) / all);
     pairs.push_back(against(question, opponent, [&] {
-      if (opponent.machine) return examine_machines(question, opponent, beliefs);
-      auto records = record_beliefs(question.policy, {opponent}, question.sampling());
+      if (opponent.machine) return examine_machines(question, opponent, beliefs, part);
+      auto records = record_beliefs(question.policy, {opponent}, question.sampling(), part);
       PairExamination pair = examine_record(question, opponent, std::move(records.front()), beliefs);
       judge_record(question, pair);
       return pair;
     }));
-    progress(static_cast<double>(pairs.size()) / static_cast<double>(question.opponents.size()));
+    part(1);
   }
   return pairs;
 }

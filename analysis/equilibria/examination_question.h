@@ -4,6 +4,7 @@
 #include <folk/analysis/equilibria/equilibrium_check.h>
 #include <folk/analysis/play/sampling.h>
 #include <folk/analysis/thresholds/thresholds.h>
+#include <folk/games/progress.h>
 #include <folk/games/rational.h>
 #include <folk/strategies/strategy.h>
 
@@ -33,12 +34,12 @@ struct ExaminationQuestion : EquilibriumQuestion {
   Sampling sampling() const { return {{payoffs, criterion}, repetitions, seed, threads}; }
 };
 
-/// Told what is being done; what it returns is told the finished share of that, 0 to 1.
-using Stages = std::function<std::function<void(double)>(const std::string& stage)>;
+/// Told what is being done; what it returns is the progress of that.
+using Stages = std::function<Progress(const std::string& stage)>;
 
 /// Begins a stage where somebody wants to know.
-inline std::function<void(double)> begin_stage(const Stages& stages, const std::string& stage) {
-  return stages ? stages(stage) : [](double) {};
+inline Progress begin_stage(const Stages& stages, const std::string& stage) {
+  return stages ? stages(stage) : Progress(nullptr);
 }
 
 }  // namespace folk

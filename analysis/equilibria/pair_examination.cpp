@@ -32,13 +32,14 @@ Strategy played(Strategy strategy, std::shared_ptr<const Machine> machine) {
 
 }  // namespace
 
-PairExamination examine_machines(const ExaminationQuestion& question, const Strategy& opponent, ClassReplies& beliefs) {
+PairExamination examine_machines(const ExaminationQuestion& question, const Strategy& opponent, ClassReplies& beliefs,
+                                 const Progress& progress) {
   PreparedMachine& own = beliefs.machines().of(question.policy.machine);
   PreparedMachine& theirs = beliefs.machines().of(opponent.machine);
   const PreparedPair pair(own, theirs, question.horizon);
   PairExamination found;
   found.opponent = opponent.name;
-  found.gaps = pair_gaps(pair, beliefs);
+  found.gaps = pair_gaps(pair, beliefs, progress.part(0, 0.5));
   const PairResult result = play_pair(played(question.policy, own.player(question.horizon)),
                                       played(opponent, theirs.player(question.horizon)), question.sampling());
   found.own_score = payoff_of(result.weights, question.payoffs, false);
@@ -48,7 +49,8 @@ PairExamination examine_machines(const ExaminationQuestion& question, const Stra
   if (!found.path)
     list_states(pair, found);
   else if (own.whole() && theirs.whole())
-    found.thresholds = thresholds(*own.whole(), *theirs.whole(), question.payoffs, question.sides);
+    found.thresholds =
+        thresholds(*own.whole(), *theirs.whole(), question.payoffs, question.sides, {}, progress.part(0.5, 1));
   found.verdicts = judge_all(found.gaps, question.sides, question.epsilon_payoff);
   return found;
 }

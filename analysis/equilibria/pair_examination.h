@@ -49,6 +49,7 @@ struct PairExamination {
 /// The question of two machines, judged. `beliefs` is class_replies(question), kept over the question's pairs: the
 /// machines are prepared there.
 /// Throws UsageError as PreparedPair and pair_gaps do, and as thresholds and play_pair do.
-PairExamination examine_machines(const ExaminationQuestion& question, const Strategy& opponent, ClassReplies& beliefs);
+PairExamination examine_machines(const ExaminationQuestion& question, const Strategy& opponent, ClassReplies& beliefs,
+                                 const Progress& progress = nullptr);
 
 }  // namespace folk

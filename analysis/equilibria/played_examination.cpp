@@ -122,7 +122,7 @@ void add_known_replies(const ExaminationQuestion& question, std::vector<PairExam
 }
 
 void add_own_beliefs(const ExaminationQuestion& question, std::vector<PairExamination>& pairs,
-                     const std::function<void(double)>& progress) {
+                     const Progress& progress) {
   std::vector<BeliefMatch> paths;
   std::vector<PairExamination*> searched;
   for (auto& pair : pairs)

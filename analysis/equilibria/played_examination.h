@@ -39,7 +39,7 @@ void add_known_replies(const ExaminationQuestion& question, std::vector<PairExam
 /// What the policy could gain if the world were as it believes (own_belief_gaps), for the pairs with one path.
 /// Throws what own_belief_gaps throws.
 void add_own_beliefs(const ExaminationQuestion& question, std::vector<PairExamination>& pairs,
-                     const std::function<void(double)>& progress = nullptr);
+                     const Progress& progress = nullptr);
 
 /// Judges every notion; beliefs where the policy holds any.
 void judge_record(const ExaminationQuestion& question, PairExamination& pair);

@@ -96,6 +96,10 @@ std::optional<Gap> without(const std::vector<std::string>& left_out, std::option
   return unknown;
 }
 
+double share_of(std::size_t members, const ClassReplies& beliefs) {
+  return static_cast<double>(members) / static_cast<double>(beliefs.members().size());
+}
+
 /// Keeps the least gap; of equal ones an exact one, then the first.
 void keep_least(std::optional<Gap>& least, Gap gap) {
   if (!least || gap.gain < least->gain || (gap.gain == least->gain && least->depth && !gap.depth))
@@ -154,15 +158,17 @@ Gap unrestricted_gap(const Automaton& own, const Automaton& theirs, double paid,
   return rounded_gap(best - paid, residual, {{}, std::nullopt, "best reply along the path, minmax off it", {}});
 }
 
-std::optional<Gap> class_gap(const PlayPath& path, ClassReplies& beliefs) {
-  return class_gap(path, PathPayoffs(path, beliefs.payoffs(), beliefs.criterion()), beliefs);
+std::optional<Gap> class_gap(const PlayPath& path, ClassReplies& beliefs, const Progress& progress) {
+  return class_gap(path, PathPayoffs(path, beliefs.payoffs(), beliefs.criterion()), beliefs, progress);
 }
 
-std::optional<Gap> class_gap(const PlayPath& path, const PathPayoffs& paid, ClassReplies& beliefs) {
+std::optional<Gap> class_gap(const PlayPath& path, const PathPayoffs& paid, ClassReplies& beliefs,
+                             const Progress& progress) {
   const bool mean = beliefs.criterion().kind() == Criterion::Kind::mean;
   std::optional<Gap> least;
   std::vector<std::string> left_out;
   for (std::size_t i = 0; i < beliefs.members().size(); ++i) {
+    progress(share_of(i, beliefs));
     const Strategy& member = beliefs.members()[i];
     if (!member.machine || !agrees(*member.machine, path, beliefs.horizon())) continue;
     if (mean && beliefs.endless(i)) {
@@ -176,16 +182,20 @@ std::optional<Gap> class_gap(const PlayPath& path, const PathPayoffs& paid, Clas
   return without(left_out, std::move(least));
 }
 
-std::optional<Gap> class_gap(const Automaton& own, const Automaton& theirs, ClassReplies& beliefs) {
-  return class_gap(own, theirs, expected_payoff(own, theirs, beliefs.payoffs(), beliefs.criterion()), beliefs);
+std::optional<Gap> class_gap(const Automaton& own, const Automaton& theirs, ClassReplies& beliefs,
+                             const Progress& progress) {
+  return class_gap(own, theirs, expected_payoff(own, theirs, beliefs.payoffs(), beliefs.criterion()), beliefs,
+                   progress);
 }
 
-std::optional<Gap> class_gap(const Automaton& own, const Automaton& theirs, double paid, ClassReplies& beliefs) {
+std::optional<Gap> class_gap(const Automaton& own, const Automaton& theirs, double paid, ClassReplies& beliefs,
+                             const Progress& progress) {
   const auto& criterion = beliefs.criterion();
   const double rounding = rounding_of(beliefs.payoffs(), criterion);
   std::optional<Gap> least;
   std::vector<std::string> left_out;
   for (std::size_t i = 0; i < beliefs.members().size(); ++i) {
+    progress(share_of(i, beliefs));
     const Strategy& member = beliefs.members()[i];
     if (!member.machine) continue;
     if (beliefs.endless(i)) {

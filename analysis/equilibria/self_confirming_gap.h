@@ -8,6 +8,7 @@
 #include <folk/analysis/replies/path_payoffs.h>
 #include <folk/games/criterion.h>
 #include <folk/games/payoffs.h>
+#include <folk/games/progress.h>
 #include <folk/strategies/automaton.h>
 
 #include <optional>
@@ -36,13 +37,17 @@ Gap unrestricted_gap(const Automaton& own, const Automaton& theirs, double paid,
 /// Beliefs of a class: the least gain of a best reply over the machines of `beliefs` that agree with the opponent on
 /// the path (no mixtures of them; ties by roster order). The witness names that machine. Nothing when none agrees.
 /// Infinite members count within the horizon of `beliefs` under discounted and ending; under mean they are
-/// left out, and unless another member gives 0 the gap is then a bound (0) that says so.
-std::optional<Gap> class_gap(const PlayPath& path, ClassReplies& beliefs);
-std::optional<Gap> class_gap(const PlayPath& path, const PathPayoffs& paid, ClassReplies& beliefs);
+/// left out, and unless another member gives 0 the gap is then a bound (0) that says so. `progress` is told the share
+/// of the members that have been seen.
+std::optional<Gap> class_gap(const PlayPath& path, ClassReplies& beliefs, const Progress& progress = nullptr);
+std::optional<Gap> class_gap(const PlayPath& path, const PathPayoffs& paid, ClassReplies& beliefs,
+                             const Progress& progress = nullptr);
 
 /// The same where chance plays a part: members agree when their P(C) is the opponent's after every history of positive
 /// probability. Infinite members do not count under criteria without end.
-std::optional<Gap> class_gap(const Automaton& own, const Automaton& theirs, ClassReplies& beliefs);
-std::optional<Gap> class_gap(const Automaton& own, const Automaton& theirs, double paid, ClassReplies& beliefs);
+std::optional<Gap> class_gap(const Automaton& own, const Automaton& theirs, ClassReplies& beliefs,
+                             const Progress& progress = nullptr);
+std::optional<Gap> class_gap(const Automaton& own, const Automaton& theirs, double paid, ClassReplies& beliefs,
+                             const Progress& progress = nullptr);
 
 }  // namespace folk

@@ -59,14 +59,16 @@ Invasion outcome_of(const Comparison& compare, std::size_t mutant, std::size_t r
 
 }  // namespace
 
-Invasions::Invasions(const Tournament& tournament)
+Invasions::Invasions(const Tournament& tournament, const Progress& progress)
     : size_(tournament.size()) {
   if (!tournament.settings().self_play)
     throw UsageError("who invades whom depends on what each earns against its own copy: play with self-play");
   const Comparison compare(tournament);
   cells_.reserve(size_ * size_);
-  for (std::size_t resident = 0; resident < size_; ++resident)
+  for (std::size_t resident = 0; resident < size_; ++resident) {
     for (std::size_t mutant = 0; mutant < size_; ++mutant) cells_.push_back(outcome_of(compare, mutant, resident));
+    progress(static_cast<double>(resident + 1) / static_cast<double>(size_));
+  }
 }
 
 std::vector<std::size_t> Invasions::mutants(std::size_t resident, Invasion how) const {

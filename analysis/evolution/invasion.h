@@ -2,6 +2,7 @@
 // Evolutionary stability: which strategies of a finished tournament can invade which (Maynard Smith & Price 1973).
 
 #include <folk/analysis/tournament/tournament.h>
+#include <folk/games/progress.h>
 
 #include <cstddef>
 #include <string_view>
@@ -59,8 +60,8 @@ inline constexpr double decisive_errors = 3;
 /// that were cut off (Method::bounded) decide nothing.
 class Invasions {
 public:
-  /// Throws UsageError on a tournament without self-play.
-  explicit Invasions(const Tournament& tournament);
+  /// Throws UsageError on a tournament without self-play, and Cancelled.
+  explicit Invasions(const Tournament& tournament, const Progress& progress = nullptr);
 
   std::size_t size() const { return size_; }
 

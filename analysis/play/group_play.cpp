@@ -170,7 +170,7 @@ Method method_of(const Contest& contest, const Criterion& criterion) {
 }  // namespace
 
 std::vector<PairResult> play_group(const std::vector<Contest>& contests, const Sampling& sampling,
-                                   const std::function<void(double)>& progress) {
+                                   const Progress& progress) {
   double matches_in_all = 0;
   for (const auto& contest : contests) {
     check_length(contest, sampling);
@@ -196,7 +196,7 @@ std::vector<PairResult> play_group(const std::vector<Contest>& contests, const S
     play_out(tables, sampling.threads, [&](std::uint64_t more) {
       rounds_done += static_cast<double>(more);
       const double share = rounds_done / rounds * static_cast<double>(batch.size());
-      if (progress) progress((matches_done + share) / matches_in_all);
+      progress((matches_done + share) / matches_in_all);
     });
     for (std::size_t i = 0; i < batch.size(); ++i) tallies[batch[i].contest].add(*tables[i], payoffs);
     matches_done += static_cast<double>(batch.size());

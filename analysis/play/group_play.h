@@ -2,8 +2,8 @@
 // Many contests played side by side, so that players that think expensively can think together.
 
 #include <folk/analysis/play/played_match.h>
+#include <folk/games/progress.h>
 
-#include <functional>
 #include <vector>
 
 namespace folk {
@@ -20,8 +20,8 @@ inline constexpr std::size_t most_matches_at_once = 256;
 ///
 /// Method::sampled; for a contest played once Method::played, and Method::bounded under mean, of which long_run_rounds
 /// prove no limit. `progress` is told the finished share, 0 to 1.
-/// Throws UsageError when a contest takes more than 10^8 rounds, and what the players throw.
+/// Throws UsageError when a contest takes more than 10^8 rounds, Cancelled, and what the players throw.
 std::vector<PairResult> play_group(const std::vector<Contest>& contests, const Sampling& sampling,
-                                   const std::function<void(double)>& progress = nullptr);
+                                   const Progress& progress = nullptr);
 
 }  // namespace folk

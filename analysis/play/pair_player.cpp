@@ -93,7 +93,7 @@ PairResult PairPlayer::play(std::size_t a, std::size_t b, unsigned worker) {
 }
 
 std::vector<PairResult> PairPlayer::play_together(const std::vector<std::pair<std::size_t, std::size_t>>& pairs,
-                                                  const std::function<void(double)>& progress) const {
+                                                  const Progress& progress) const {
   std::vector<Contest> contests;
   for (const auto& [a, b] : pairs) {
     contests.push_back(contest(a, b));

@@ -5,11 +5,11 @@
 #include <folk/analysis/play/pair_result.h>
 #include <folk/analysis/play/played_match.h>
 #include <folk/analysis/play/sampled_play.h>
+#include <folk/games/progress.h>
 #include <folk/strategies/automaton.h>
 #include <folk/strategies/strategy.h>
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -47,7 +47,7 @@ public:
 
   /// Pairs that think together, all at once, with the sampling's threads; results in the same order.
   std::vector<PairResult> play_together(const std::vector<std::pair<std::size_t, std::size_t>>& pairs,
-                                        const std::function<void(double)>& progress) const;
+                                        const Progress& progress) const;
 
 private:
   struct Prepared {

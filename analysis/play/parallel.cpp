@@ -10,22 +10,29 @@
 namespace folk {
 
 void parallel_for(std::size_t count, unsigned threads, const std::function<void(std::size_t, unsigned)>& work,
-                  const std::function<void(double)>& progress) {
+                  const Progress& progress) {
   std::atomic<std::size_t> next{0};
   std::mutex mutex;
   std::size_t done = 0;
+  bool silent = false;                        // once something was thrown: nobody is told any more
   std::atomic<std::size_t> failed_at{count};  // pieces before it are still done: one of them may throw as well
   std::exception_ptr failure;
   const auto run = [&](unsigned worker) {
     for (std::size_t i = next++; i < failed_at; i = next++) {
       try {
+        progress.check();
         work(i, worker);
         if (progress) {
           const std::lock_guard lock(mutex);
-          progress(static_cast<double>(++done) / static_cast<double>(count));
+          if (!silent) {
+            silent = true;  // and stays so when the next line throws
+            progress(static_cast<double>(++done) / static_cast<double>(count));
+            silent = false;
+          }
         }
       } catch (...) {
         const std::lock_guard lock(mutex);
+        silent = true;
         if (i < failed_at) {
           failed_at = i;
           failure = std::current_exception();

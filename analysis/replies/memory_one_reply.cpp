@@ -11,6 +11,9 @@
 namespace folk {
 namespace {
 
+/// The search's share of the work; the rest compares what it found with all strategies.
+constexpr double searching = 0.99;
+
 /// A face of the cube with an opening: which probabilities are free, and where the others stand.
 struct Face {
   MemoryOne fixed;
@@ -104,12 +107,14 @@ double ascent(const Population& population, const MemoryOne& at, std::size_t coo
 }
 
 /// What best replies earn that know whom they meet.
-void compare_with_all_strategies(const Population& population, SearchCertificate& certificate) {
+void compare_with_all_strategies(const Population& population, SearchCertificate& certificate,
+                                 const Progress& progress) {
   for (std::size_t i = 0; i < population.size(); ++i) {
     const PopulationMember& member = population.member(i);
     const BestReply reply = best_reply(member.machine, population.rules());
     certificate.unrestricted += member.weight * reply.payoff;
     certificate.residual += member.weight * reply.residual;
+    progress(static_cast<double>(i + 1) / static_cast<double>(population.size()));
   }
 }
 
@@ -123,7 +128,7 @@ std::size_t best_of(const std::vector<BoxOptimum>& found, std::size_t begin, std
 
 }  // namespace
 
-MemoryOneReply memory_one_reply(const Population& population, const MemoryOneSearch& search) {
+MemoryOneReply memory_one_reply(const Population& population, const MemoryOneSearch& search, const Progress& progress) {
   const std::vector<Face> all = faces();
   constexpr std::size_t vertices = 32;
   std::vector<BoxOptimum> found(all.size());
@@ -134,7 +139,7 @@ MemoryOneReply memory_one_reply(const Population& population, const MemoryOneSea
         const std::size_t f = all.size() - 1 - i;
         found[f] = search_face(population, all[f], search.points);
       },
-      search.progress);
+      progress.part(0, searching));
 
   const std::size_t best = best_of(found, 0, all.size());
   const std::size_t corner = best_of(found, 0, vertices);
@@ -151,7 +156,7 @@ MemoryOneReply memory_one_reply(const Population& population, const MemoryOneSea
     certificate.slope = std::max(certificate.slope, ascent(population, reply.strategy, k));
   certificate.at_open_end = std::any_of(found[best].point.begin(), found[best].point.end(),
                                         [](double p) { return std::min(p, 1 - p) < 1e-6; });
-  compare_with_all_strategies(population, certificate);
+  compare_with_all_strategies(population, certificate, progress.part(searching, 1));
   return reply;
 }
 

@@ -3,10 +3,10 @@
 // "Using a theory of mind to find best responses to memory-one strategies", Scientific Reports 10.
 
 #include <folk/analysis/replies/memory_one_payoff.h>
+#include <folk/games/progress.h>
 
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <optional>
 
 namespace folk {
@@ -14,7 +14,6 @@ namespace folk {
 struct MemoryOneSearch {
   std::size_t points = 2'000;  ///< of the global stage inside the cube; a face of k dimensions gets points^(k/4)
   unsigned threads = 1;        ///< the result does not depend on it
-  std::function<void(double)> progress{};  ///< told the finished share, 0 to 1
 };
 
 /// What was searched, so that a reader can judge "best found".
@@ -57,7 +56,9 @@ inline constexpr double open_end = 1e-9;
 ///
 /// certificate.unrestricted is the mean by weight of what best replies to the members earn
 /// (analysis/replies/best_reply.h): against one opponent the exact optimum among all strategies, against several an
-/// upper bound. Throws UsageError when that cannot be had, as best_reply does.
-MemoryOneReply memory_one_reply(const Population& population, const MemoryOneSearch& search = {});
+/// upper bound. `progress` is told the finished share. Throws UsageError when that cannot be had, as best_reply does,
+/// and Cancelled.
+MemoryOneReply memory_one_reply(const Population& population, const MemoryOneSearch& search = {},
+                                const Progress& progress = nullptr);
 
 }  // namespace folk

@@ -173,7 +173,7 @@ private:
 };
 
 std::optional<Threshold> subgame_perfect(const Automaton& first, const Automaton& second, const Stakes& stakes,
-                                         Sides sides, const ThresholdLimits& limits) {
+                                         Sides sides, const ThresholdLimits& limits, const Progress& progress) {
   auto nodes = product(first, second, Sense::any_own_moves, limits.joint_states);
   if (!nodes) return std::nullopt;
   const JointPlans joint(first, second, std::move(*nodes));
@@ -181,6 +181,7 @@ std::optional<Threshold> subgame_perfect(const Automaton& first, const Automaton
   for (const Seat side : seats(sides)) {
     const PlanPayoffs plan = joint.payoffs(side, stakes);
     for (std::uint32_t s = 0; s < joint.size() && !cutting.empty(); ++s) {
+      progress.check();
       const Outcome outcome = deviated(side, joint.planned(s));
       const auto loss =
           advantage({plan, plan.payoff(s), plan.next(s)},
@@ -239,13 +240,14 @@ Binding departure(const Path& path, Seat side, const ReplyDecisions& decisions, 
 /// Cuts until for every d that is left some best reply to `opponent` earns no more than the path: what any reply earns
 /// bounds the set from outside, and one that is optimal around some d decides the set there.
 bool cut_to_best_replies(Cutting& cutting, const Path& path, Seat side, const Automaton& opponent, const Stakes& stakes,
-                         const ThresholdLimits& limits) {
+                         const ThresholdLimits& limits, const Progress& progress) {
   if (opponent.size() > limits.reply_states) return false;
   const ReplyDecisions decisions(opponent, stakes.payoff);
   const PlanPayoffs plan = path.payoffs(side, stakes);
   const auto start = static_cast<std::uint32_t>(opponent.start());
   Unknown unknown;
   while (const auto d = unknown.sample(cutting.set())) {
+    progress.check();
     const auto reply = parametric_reply(decisions, *d, limits.terms);
     if (!reply) return false;
     const PlanPayoffs best = decisions.plan(reply->moves);
@@ -259,10 +261,10 @@ bool cut_to_best_replies(Cutting& cutting, const Path& path, Seat side, const Au
 }
 
 std::optional<Threshold> nash(const Automaton& first, const Automaton& second, const Path& path, const Stakes& stakes,
-                              Sides sides, const ThresholdLimits& limits) {
+                              Sides sides, const ThresholdLimits& limits, const Progress& progress) {
   Cutting cutting;
   for (const Seat side : seats(sides))
-    if (!cut_to_best_replies(cutting, path, side, side == Seat::first ? second : first, stakes, limits))
+    if (!cut_to_best_replies(cutting, path, side, side == Seat::first ? second : first, stakes, limits, progress))
       return std::nullopt;
   return std::move(cutting).result();
 }
@@ -277,7 +279,7 @@ void check(const Automaton& machine) {
 }  // namespace
 
 Thresholds thresholds(const Automaton& first, const Automaton& second, const Payoffs& payoffs, Sides sides,
-                      const ThresholdLimits& limits) {
+                      const ThresholdLimits& limits, const Progress& progress) {
   check(first);
   check(second);
   const Stakes stakes = stakes_of(payoffs);
@@ -286,10 +288,13 @@ Thresholds thresholds(const Automaton& first, const Automaton& second, const Pay
   const Automaton second_in_play = minimise(second, Sense::own_moves_its_own);
   if (const auto path = path_of(first_in_play, second_in_play, limits.joint_states)) {
     found.self_confirming_unrestricted = self_confirming(*path, stakes, sides, limits);
-    found.nash = nash(first_in_play, second_in_play, *path, stakes, sides, limits);
+    progress(1.0 / 3);
+    found.nash = nash(first_in_play, second_in_play, *path, stakes, sides, limits, progress);
   }
+  progress(2.0 / 3);
   found.subgame_perfect = subgame_perfect(minimise(first, Sense::any_own_moves), minimise(second, Sense::any_own_moves),
-                                          stakes, sides, limits);
+                                          stakes, sides, limits, progress);
+  progress(1);
   // Each notion implies the next: what holds nowhere settles the stronger ones that met a limit.
   if (!found.nash && found.self_confirming_unrestricted && found.self_confirming_unrestricted->set.empty())
     found.nash = Threshold{};

@@ -4,6 +4,7 @@
 #include <folk/analysis/thresholds/discount_set.h>
 #include <folk/games/outcome.h>
 #include <folk/games/payoffs.h>
+#include <folk/games/progress.h>
 #include <folk/games/seat.h>
 #include <folk/strategies/automaton.h>
 
@@ -58,8 +59,10 @@ struct ThresholdLimits {
 /// * no deviation from the path gains when the opponent's mixed stage minmax follows for ever (self-confirming with
 ///   unrestricted beliefs: Fudenberg & Levine 1993).
 /// Machines are tables in the sense any_own_moves (strategies/automaton.h).
-/// Throws UsageError for a machine that mixes and for one that was unrolled.
+/// `progress` is told of each notion. Throws UsageError for a machine that mixes and for one that was unrolled, and
+/// Cancelled.
 Thresholds thresholds(const Automaton& first, const Automaton& second, const Payoffs& payoffs,
-                      Sides sides = Sides::both, const ThresholdLimits& limits = {});
+                      Sides sides = Sides::both, const ThresholdLimits& limits = {},
+                      const Progress& progress = nullptr);
 
 }  // namespace folk

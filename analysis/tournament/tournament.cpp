@@ -39,16 +39,27 @@ double median_of(std::vector<double>& values) {
 
 }  // namespace
 
-Tournament::Tournament(std::vector<Strategy> roster, std::size_t core, TournamentSettings settings)
+Tournament play_tournament(std::vector<Strategy> roster, std::size_t core, const TournamentSettings& settings,
+                           const Progress& progress) {
+  return {std::move(roster), core, settings, progress};
+}
+
+Tournament play_tournament(std::vector<Strategy> roster, const TournamentSettings& settings, const Progress& progress) {
+  const std::size_t core = roster.size();
+  return play_tournament(std::move(roster), core, settings, progress);
+}
+
+Tournament::Tournament(std::vector<Strategy> roster, std::size_t core, const TournamentSettings& settings,
+                       const Progress& progress)
     : roster_(std::move(roster)),
       core_(core),
-      settings_(std::move(settings)) {
+      settings_(settings) {
   if (roster_.empty() || core_ == 0 || core_ > roster_.size()) throw UsageError("the roster is empty");
   if (roster_.size() == 1 && !settings_.self_play)
     throw UsageError("a roster of one without self-play has nothing to play");
   refuse_duplicates(roster_);
   scale_payoffs();
-  play_pairs();
+  play_pairs(progress);
   average_columns();
   rank();
   sign();
@@ -67,7 +78,7 @@ void Tournament::scale_payoffs() {
                     size(), settings_.criterion.to_string()));
 }
 
-void Tournament::play_pairs() {
+void Tournament::play_pairs(const Progress& progress) {
   PairPlayer player(roster_, settings_, settings_.threads);
   behaviour_of_ = player.behaviour_of();
   behaviours_ = player.behaviours().size();
@@ -91,19 +102,17 @@ void Tournament::play_pairs() {
     for (std::size_t a = 0; a <= b; ++a)
       if (player.thinks_together(a, b) && meet(a, b)) thinking.emplace_back(a, b);
   const double share = thinking_share(thinking.size(), behaviours_ * (behaviours_ + 1) / 2);
-  const auto report = [&](double begin, double length) -> std::function<void(double)> {
-    if (!settings_.progress || length == 0) return nullptr;
-    return [this, begin, length](double done) { settings_.progress(begin + length * done); };
-  };
 
   parallel_for(
       behaviours_, settings_.threads,
       [&](std::size_t b, unsigned worker) {
-        for (std::size_t a = 0; a <= b; ++a)
+        for (std::size_t a = 0; a <= b; ++a) {
+          progress.check();
           if (!player.thinks_together(a, b) && meet(a, b)) store(a, b, player.play(a, b, worker));
+        }
       },
-      report(0, 1 - share));
-  const auto results = player.play_together(thinking, report(1 - share, share));
+      progress.part(0, 1 - share));
+  const auto results = player.play_together(thinking, progress.part(1 - share, 1));
   for (std::size_t i = 0; i < thinking.size(); ++i) store(thinking[i].first, thinking[i].second, results[i]);
 
   for (auto& row : guesses_)

@@ -3,12 +3,12 @@
 
 #include <folk/analysis/play/pair_result.h>
 #include <folk/analysis/play/sampling.h>
+#include <folk/games/progress.h>
 #include <folk/strategies/strategy.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,8 +18,7 @@ namespace folk {
 
 /// What is played, and how.
 struct TournamentSettings : Sampling {
-  bool self_play = true;                 ///< each entrant also meets its own copy, once
-  std::function<void(double)> progress;  ///< told the finished share, 0 to 1
+  bool self_play = true;  ///< each entrant also meets its own copy, once
 };
 
 /// One entrant's place.
@@ -39,23 +38,13 @@ struct RankingEntry {
   long double total_against_roster = 0;  ///< sum of its scores against the roster proper, its own copy left out
 };
 
-/// A finished tournament. Scores are sums for finite and ending, (1-d)-weighted for discounted, per round for mean.
+/// A finished tournament: what play_tournament returns. Scores are sums for finite and ending, (1-d)-weighted for
+/// discounted, per round for mean.
 ///
 /// Entrants that behave alike are played once: what is kept are figures for each pair of behaviours, and the N x N
 /// matrices are read off them cell by cell.
 class Tournament {
 public:
-  /// Plays all pairs. The first `core` entrants are the roster proper, the rest are included entrants, who play like
-  /// all others but do not count in the means that payoffs are normalised by.
-  /// Throws UsageError on an empty or repeated roster, scores beyond 2^53 or
-  /// totals beyond 2^63 in units of the payoffs' last digit, and (with both names) a pair that neither closes nor ends
-  /// within 10^8 rounds.
-  Tournament(std::vector<Strategy> roster, std::size_t core, TournamentSettings settings);
-
-  /// The same, nobody being a guest.
-  explicit Tournament(std::vector<Strategy> roster, TournamentSettings settings = {})
-      : Tournament(roster, roster.size(), std::move(settings)) {}
-
   std::size_t size() const { return roster_.size(); }
   std::size_t core() const { return core_; }
   const std::string& name(std::size_t i) const { return roster_[i].name; }
@@ -96,8 +85,13 @@ public:
   std::uint64_t signature() const { return signature_; }
 
 private:
+  friend Tournament play_tournament(std::vector<Strategy>, std::size_t, const TournamentSettings&, const Progress&);
+
+  Tournament(std::vector<Strategy> roster, std::size_t core, const TournamentSettings& settings,
+             const Progress& progress);
+
   void scale_payoffs();
-  void play_pairs();
+  void play_pairs(const Progress& progress);
   void store(std::size_t a, std::size_t b, const PairResult& result);
   void store_row(std::size_t a, std::size_t b, const PairResult& result);
   void average_columns();
@@ -133,5 +127,17 @@ private:
   std::vector<RankingEntry> ranking_;
   std::uint64_t signature_ = 0;
 };
+
+/// Plays all pairs. The first `core` entrants are the roster proper, the rest are included entrants, who play like all
+/// others but do not count in the means that payoffs are normalised by. `progress` is told the finished share.
+/// Throws UsageError on an empty or repeated roster, a noise outside [0, 1], no repetition, scores beyond 2^53 or
+/// totals beyond 2^63 in units of the payoffs' last digit, and (with both names) a pair that neither closes nor ends
+/// within 10^8 rounds; Cancelled; and what the players throw.
+Tournament play_tournament(std::vector<Strategy> roster, std::size_t core, const TournamentSettings& settings,
+                           const Progress& progress = nullptr);
+
+/// The same, nobody being a guest.
+Tournament play_tournament(std::vector<Strategy> roster, const TournamentSettings& settings = {},
+                           const Progress& progress = nullptr);
 
 }  // namespace folk

@@ -25,16 +25,15 @@ namespace {
 constexpr const char* description_name = "description.json";
 constexpr double playing = 0.9;  // its share of the work; the rest reads what was written
 
-/// Ends play_episodes when the work is interrupted.
-struct Interrupted {};
-
 class Collecting {
 public:
-  Collecting(const Layout& layout, const Cast& cast, const DataDescription& description, const CollectRules& rules)
+  Collecting(const Layout& layout, const Cast& cast, const DataDescription& description, const CollectRules& rules,
+             const Progress& progress)
       : layout_(layout),
         cast_(cast),
         description_(description),
-        rules_(rules) {}
+        rules_(rules),
+        progress_(progress) {}
 
   Collection into(const fs::path& folder);
 
@@ -52,14 +51,11 @@ private:
   }
   DataSetRules data_rules() const { return {description_.scenario, true, rules_.threads}; }
 
-  void report(double share) const {
-    if (rules_.progress) rules_.progress(share);
-  }
-
   const Layout& layout_;
   const Cast& cast_;
   const DataDescription& description_;
   const CollectRules& rules_;
+  const Progress& progress_;
   Collection collection_;
 };
 
@@ -78,8 +74,8 @@ Collection Collecting::into(const fs::path& folder) {
   const bool resumes = goes_on(partial);
   try {
     work(partial, resumes);
-  } catch (const Interrupted&) {
-    collection_.end = Collection::End::interrupted;
+  } catch (const Cancelled&) {
+    throw CollectionCancelled(collection_.written);
   } catch (...) {
     if (!resumes) partial.remove();
     throw;
@@ -144,18 +140,16 @@ void Collecting::play(DataWriter& writer, std::size_t begin, std::size_t end) {
   const std::size_t before = collection_.written;
   std::atomic<std::size_t> written{before};
   const auto watcher = [&](std::size_t i) {
-    if (rules_.interrupted && rules_.interrupted()) throw Interrupted{};
     return std::make_unique<EpisodeRows>(layout_, description_.type,
                                          [&, first = begin + i](const RowBytes& rows, std::size_t episodes) {
                                            writer.write(first, rows);
                                            written += episodes;
                                          });
   };
-  const auto progress = [&](double share) {
-    report(playing * (static_cast<double>(before) + share * static_cast<double>(end - begin)) / all);
-  };
+  const auto share = [&](std::size_t episodes) { return playing * static_cast<double>(episodes) / all; };
   try {
-    play_episodes(layout_, cast_, plan(begin, end), watcher, progress);
+    play_episodes(layout_, cast_, plan(begin, end), watcher,
+                  progress_.part(share(before), share(before + end - begin)));
   } catch (...) {
     collection_.written = written;
     throw;
@@ -185,25 +179,26 @@ void Collecting::finish(PartialFolder& partial, DataWriter& writer) {
   DataRecord record{description_, {}};
   {
     const DataSet data = DataSet::open(partial.path(), data_rules());
-    report((1 + playing) / 2);
-    record.figures = data_figures(data, rules_.threads);
+    progress_((1 + playing) / 2);
+    record.figures = data_figures(data, rules_.threads, progress_.part((1 + playing) / 2, 1));
   }
+  writer.remove_journal();
   write_file(partial.path() / metadata_name, metadata_text(record));
   fs::remove(partial.path() / description_name, ignored);
   partial.publish();
-  report(1);
+  progress_(1);
   collection_.record = std::move(record);
 }
 
 }  // namespace
 
 Collection collect(const Layout& layout, const Cast& cast, const DataDescription& description, const fs::path& folder,
-                   const CollectRules& rules) {
+                   const CollectRules& rules, const Progress& progress) {
   const auto& scenario = layout.scenario();
   if (description.scenario != scenario.name || description.reward_rule != scenario.rewards.rule ||
       description.episode_steps != scenario.episode_steps || description.episodes == 0)
     throw UsageError("a description of another scenario, or of no episodes");
-  return Collecting(layout, cast, description, rules).into(folder);
+  return Collecting(layout, cast, description, rules, progress).into(folder);
 }
 
 }  // namespace folk::mpe

@@ -46,7 +46,7 @@ std::uint64_t episode_signature(std::span<const std::string_view> rows) {
   return sum.value();
 }
 
-DataFigures data_figures(const DataSet& data, unsigned threads) {
+DataFigures data_figures(const DataSet& data, unsigned threads, const Progress& progress) {
   std::vector<std::uint64_t> signatures(data.episodes());
   std::vector<double> predator(data.episodes());
   std::vector<double> prey(data.episodes());
@@ -58,7 +58,8 @@ DataFigures data_figures(const DataSet& data, unsigned threads) {
                    predator[e] = episode_return(data, 0, e);
                    prey[e] = episode_return(data, data.scenario().prey(), e);
                  }
-               });
+               },
+               progress);
   sct::Checksum all;
   for (const std::uint64_t signature : signatures) all.add(signature);
   return {all.value(), mean_return(predator), mean_return(prey)};

@@ -146,6 +146,9 @@ void DataWriter::finish() {
     if (::fsync(file.descriptor.get()) != 0) fail(file.path, "cannot be written", errno);
   files_.clear();
   journal_.descriptor.close();
+}
+
+void DataWriter::remove_journal() {
   std::error_code error;
   fs::remove(journal_.path, error);
   if (error) fail(journal_.path, "cannot be removed", error.value());

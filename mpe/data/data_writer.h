@@ -36,8 +36,11 @@ public:
   /// The journal's word of an episode; 0 when its rows are not there.
   std::uint64_t signature(std::size_t episode) const;
 
-  /// Waits until the disk has everything and removes the journal. Throws EnvironmentError.
+  /// Waits until the disk has everything. Nothing can be written any more. Throws EnvironmentError.
   void finish();
+
+  /// The last thing to do: what is there cannot be gone on with any more. Throws EnvironmentError.
+  void remove_journal();
 
 private:
   struct File {

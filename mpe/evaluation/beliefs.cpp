@@ -18,6 +18,12 @@ struct Thoughts {
   ThoughtRecord& of(std::uint64_t episode) { return records[episode - first]; }
 };
 
+/// The progress of the next of several equal stages.
+Progress one_of(std::size_t done, std::size_t stages, const Progress& progress) {
+  const auto all = static_cast<double>(stages);
+  return progress.part(static_cast<double>(done) / all, static_cast<double>(done + 1) / all);
+}
+
 class BeliefWatcher final : public Watcher {
 public:
   BeliefWatcher(Thoughts& thoughts, EpisodeScore* play, EpisodeBeliefs* beliefs)
@@ -56,7 +62,7 @@ private:
 
 TransformerScores score_transformer(const Layout& layout, const std::shared_ptr<const TransformerMind>& mind,
                                     const Controller& prey, const EpisodePlan& plan, TransformerPlay play,
-                                    const std::function<void(double)>& progress) {
+                                    const Progress& progress) {
   Thoughts thoughts{plan.first, std::vector<ThoughtRecord>(plan.episodes)};
   play.prey = prey;
   play.witness = [&](const ThoughtRecord& thought) { thoughts.of(thought.episode) = thought; };
@@ -89,15 +95,13 @@ BeliefSummary summarise(std::span<const EpisodeBeliefs> beliefs) {
 
 std::vector<TargetScore> score_targets(const Layout& layout, const std::shared_ptr<const TransformerMind>& mind,
                                        const Controller& prey, const EpisodePlan& plan, std::span<const double> targets,
-                                       const std::function<void(double)>& progress) {
+                                       const Progress& progress) {
   std::vector<TargetScore> rows;
   for (const double target : targets) {
     TransformerPlay play;
     play.target = target;
-    const double done = static_cast<double>(rows.size());
-    const auto scores = score_transformer(layout, mind, prey, plan, play, [&](double fraction) {
-      if (progress) progress((done + fraction) / static_cast<double>(targets.size()));
-    });
+    const auto scores =
+        score_transformer(layout, mind, prey, plan, play, one_of(rows.size(), targets.size(), progress));
     TargetScore row{target, summarise(std::span<const EpisodeScore>(scores.play)).predators, std::nullopt};
     if (mind->believes()) row.beliefs = summarise(std::span<const EpisodeBeliefs>(scores.beliefs));
     rows.push_back(std::move(row));
@@ -115,7 +119,7 @@ double best_target(std::span<const TargetScore> scores) {
 
 std::vector<ForcingScore> force_beliefs(const Layout& layout, const std::shared_ptr<const TransformerMind>& mind,
                                         const Controller& prey, const EpisodePlan& plan, const TransformerPlay& play,
-                                        const std::function<void(double)>& progress) {
+                                        const Progress& progress) {
   if (plan.episodes % block_lanes == 1)
     throw UsageError(
         fmt::format("{} episodes: the last one would have no other beside it whose truth could be believed; give one "
@@ -126,10 +130,8 @@ std::vector<ForcingScore> force_beliefs(const Layout& layout, const std::shared_
   for (const auto forcing : belief_forcings) {
     TransformerPlay forced = play;
     forced.forcing = forcing;
-    const double done = static_cast<double>(rows.size());
-    const auto scores = score_transformer(layout, mind, prey, plan, forced, [&](double fraction) {
-      if (progress) progress((done + fraction) / static_cast<double>(belief_forcings.size()));
-    });
+    const auto scores =
+        score_transformer(layout, mind, prey, plan, forced, one_of(rows.size(), belief_forcings.size(), progress));
     if (forcing == BeliefForcing::none) free = scores.play;
     std::vector<double> differences;
     for (std::size_t e = 0; e < free.size(); ++e) differences.push_back(scores.play[e].predators - free[e].predators);

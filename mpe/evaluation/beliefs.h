@@ -2,13 +2,13 @@
 // A transformer's beliefs put to the test: how often they are right, and what becomes of the play when they are
 // exchanged.
 
+#include <folk/games/progress.h>
 #include <folk/mpe/evaluation/episodes.h>
 #include <folk/mpe/evaluation/scores.h>
 #include <folk/mpe/players/transformer_player.h>
 
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -45,7 +45,7 @@ struct TransformerScores {
 /// play.witness is taken by this function.
 TransformerScores score_transformer(const Layout& layout, const std::shared_ptr<const TransformerMind>& mind,
                                     const Controller& prey, const EpisodePlan& plan, TransformerPlay play,
-                                    const std::function<void(double)>& progress = nullptr);
+                                    const Progress& progress = nullptr);
 
 /// Estimates over the episodes.
 struct BeliefSummary {
@@ -65,7 +65,7 @@ struct TargetScore {
 /// Plays the planned episodes once for each target. The same episodes each time, so that differences are of the target.
 std::vector<TargetScore> score_targets(const Layout& layout, const std::shared_ptr<const TransformerMind>& mind,
                                        const Controller& prey, const EpisodePlan& plan, std::span<const double> targets,
-                                       const std::function<void(double)>& progress = nullptr);
+                                       const Progress& progress = nullptr);
 
 /// The target with the highest mean, of equals the first. Throws UsageError when there is none.
 double best_target(std::span<const TargetScore> scores);
@@ -86,6 +86,6 @@ struct ForcingScore {
 /// score_transformer throws, and UsageError where the last block would have one episode and no other to believe in.
 std::vector<ForcingScore> force_beliefs(const Layout& layout, const std::shared_ptr<const TransformerMind>& mind,
                                         const Controller& prey, const EpisodePlan& plan, const TransformerPlay& play,
-                                        const std::function<void(double)>& progress = nullptr);
+                                        const Progress& progress = nullptr);
 
 }  // namespace folk::mpe

@@ -89,8 +89,7 @@ private:
 }  // namespace
 
 void play_episodes(const Layout& layout, const Cast& cast, const EpisodePlan& plan,
-                   const std::function<std::unique_ptr<Watcher>(std::size_t)>& watcher,
-                   const std::function<void(double)>& progress) {
+                   const std::function<std::unique_ptr<Watcher>(std::size_t)>& watcher, const Progress& progress) {
   const std::size_t together = cast.one_by_one() ? 1 : block_lanes;
   const unsigned threads = cast.one_by_one() ? 1 : std::max(1U, plan.threads);
   std::vector<std::unique_ptr<Table>> tables(threads);
@@ -107,7 +106,7 @@ void play_episodes(const Layout& layout, const Cast& cast, const EpisodePlan& pl
 std::unique_ptr<Watcher> scoring(EpisodeScore* scores) { return std::make_unique<Scorer>(scores); }
 
 std::vector<EpisodeScore> score_episodes(const Layout& layout, const Cast& cast, const EpisodePlan& plan,
-                                         const std::function<void(double)>& progress) {
+                                         const Progress& progress) {
   std::vector<EpisodeScore> scores(plan.episodes);
   play_episodes(
       layout, cast, plan, [&](std::size_t begin) { return scoring(scores.data() + begin); }, progress);

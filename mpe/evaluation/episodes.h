@@ -1,6 +1,7 @@
 #pragma once
 // Whole episodes, played block by block: a block of 64 is taken from reset to end while it is in the cache.
 
+#include <folk/games/progress.h>
 #include <folk/mpe/players/player.h>
 #include <folk/mpe/world/batch.h>
 
@@ -38,10 +39,10 @@ struct EpisodePlan {
 
 /// Plays them, scenario.episode_steps each. `watcher(i)` is asked for the one who looks on while episodes first + i and
 /// on, up to 64 of them, are played; it may be called by several threads at once. `progress` is told the share that is
-/// done; it may throw to cancel. Throws UsageError, naming the player, when an action is not finite.
+/// done. Throws UsageError, naming the player, when an action is not finite, and Cancelled.
 void play_episodes(const Layout& layout, const Cast& cast, const EpisodePlan& plan,
                    const std::function<std::unique_ptr<Watcher>(std::size_t)>& watcher,
-                   const std::function<void(double)>& progress = nullptr);
+                   const Progress& progress = nullptr);
 
 /// What is said of one episode.
 struct EpisodeScore {
@@ -59,6 +60,6 @@ std::unique_ptr<Watcher> scoring(EpisodeScore* scores);
 
 /// The scores of the planned episodes, in their order.
 std::vector<EpisodeScore> score_episodes(const Layout& layout, const Cast& cast, const EpisodePlan& plan,
-                                         const std::function<void(double)>& progress = nullptr);
+                                         const Progress& progress = nullptr);
 
 }  // namespace folk::mpe

@@ -61,12 +61,10 @@ References published_references(const Scenario& scenario) {
 }
 
 References measured_references(const Layout& layout, const std::optional<Controller>& expert, const Controller& prey,
-                               const EpisodePlan& plan, const std::function<void(double)>& progress) {
+                               const EpisodePlan& plan, const Progress& progress) {
   const double share = expert ? 0.5 : 1.0;
   const auto measure = [&](const Controller& predators, double done) {
-    const auto scores = score_episodes(layout, {predators, prey}, plan, [&](double fraction) {
-      if (progress) progress(done + share * fraction);
-    });
+    const auto scores = score_episodes(layout, {predators, prey}, plan, progress.part(done, done + share));
     return estimate(predators_returns(scores)).mean;
   };
   References references;

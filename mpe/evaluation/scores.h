@@ -1,10 +1,10 @@
 #pragma once
 // What many episodes say about their players: means with their uncertainty, and the normalised score of the field.
 
+#include <folk/games/progress.h>
 #include <folk/mpe/evaluation/episodes.h>
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -47,7 +47,7 @@ References published_references(const Scenario& scenario);
 
 /// Those of an expert (or none) and of uniformly random predators against a prey, over the planned episodes.
 References measured_references(const Layout& layout, const std::optional<Controller>& expert, const Controller& prey,
-                               const EpisodePlan& plan, const std::function<void(double)>& progress = nullptr);
+                               const EpisodePlan& plan, const Progress& progress = nullptr);
 
 /// 100 (S - S_random) / (S_expert - S_random); nothing without an expert or when it earns what random play does.
 std::optional<double> normalised_score(double predators_return, const References& references);

@@ -13,7 +13,7 @@ bool resume(OfflineTraining& training, const TrainingWatch& watch) {
       });
 }
 
-bool train(OfflineTraining& training, const TrainingWatch& watch) {
+void train(OfflineTraining& training, const TrainingWatch& watch, const Progress& progress) {
   const std::uint64_t first = training.steps();
   std::uint64_t saved = first;
   const auto save = [&] {
@@ -22,17 +22,21 @@ bool train(OfflineTraining& training, const TrainingWatch& watch) {
     saved = training.steps();
   };
   const double all = static_cast<double>(std::max<std::uint64_t>(1, training.last_step() - first));
+  const auto save_if_ended_by = [&](const auto& question) {
+    try {
+      question();
+    } catch (...) {
+      save();
+      throw;
+    }
+  };
   while (!training.finished()) {
     if (training.steps() - saved >= watch.checkpoint_every) save();
-    if (watch.interrupted && watch.interrupted()) {
-      save();
-      return false;
-    }
+    save_if_ended_by([&] { progress.check(); });
     training.step();
-    if (watch.progress) watch.progress(static_cast<double>(training.steps() - first) / all);
+    save_if_ended_by([&] { progress(static_cast<double>(training.steps() - first) / all); });
   }
   save();
-  return true;
 }
 
 }  // namespace folk::mpe

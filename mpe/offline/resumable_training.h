@@ -1,6 +1,7 @@
 #pragma once
 // An offline training run with a folder in which it keeps itself.
 
+#include <folk/games/progress.h>
 #include <folk/mpe/offline/offline_training.h>
 #include <folk/sct/files/checkpoint_files.h>
 
@@ -14,8 +15,6 @@ namespace folk::mpe {
 struct TrainingWatch {
   sct::CheckpointFiles* folder = nullptr;                  ///< where it is kept; nowhere
   std::uint64_t checkpoint_every = 1000;                   ///< steps
-  std::function<bool()> interrupted = nullptr;             ///< asked between steps; true ends the work
-  std::function<void(double)> progress = nullptr;          ///< told the share of this run's steps that is done
   std::function<void(const std::string&)> note = nullptr;  ///< told of checkpoints that could not be read
 };
 
@@ -23,7 +22,9 @@ struct TrainingWatch {
 /// does.
 bool resume(OfflineTraining& training, const TrainingWatch& watch);
 
-/// Trains to the end, or until interrupted: false then. Either way the folder has the run as it stands.
-bool train(OfflineTraining& training, const TrainingWatch& watch);
+/// Trains to the end. `progress` is told the share of this run's steps that is done, and may end the work between any
+/// two; the folder then has the run as it stands, as it does at the end. Throws Cancelled, what `progress` throws, and
+/// what OfflineTraining::step does.
+void train(OfflineTraining& training, const TrainingWatch& watch, const Progress& progress = nullptr);
 
 }  // namespace folk::mpe

@@ -189,7 +189,7 @@ Cast OnlineTraining::cast_of(const std::vector<std::vector<float>>& actors) cons
   return cast;
 }
 
-void OnlineTraining::evaluate() {
+void OnlineTraining::evaluate(const Progress& progress) {
   OnlineEvaluation evaluation;
   evaluation.episodes = episodes();
   evaluation.updates = updates();
@@ -199,8 +199,9 @@ void OnlineTraining::evaluate() {
   evaluation.critic_loss = mean(critic_losses_, loss_updates_);
   evaluation.value = mean(values_, value_updates_);
   for (const auto& agent : learner_.state()) evaluation.actors.push_back(agent.actor.parameters);
-  const auto scores = score_episodes(layout_, cast_of(evaluation.actors),
-                                     {settings_.evaluation_seed, 0, settings_.evaluation_episodes, settings_.threads});
+  const auto scores =
+      score_episodes(layout_, cast_of(evaluation.actors),
+                     {settings_.evaluation_seed, 0, settings_.evaluation_episodes, settings_.threads}, progress);
   const double count = static_cast<double>(scores.size());
   for (const auto& score : scores) {
     evaluation.predators += score.predators / count;

@@ -1,6 +1,7 @@
 #pragma once
 // An online training run: rounds of episodes, updates, and now and then an evaluation.
 
+#include <folk/games/progress.h>
 #include <folk/mpe/online/learner.h>
 #include <folk/mpe/players/policy_file.h>
 
@@ -55,7 +56,9 @@ public:
 
   /// True at multiples of evaluate_every and at the end, until evaluate() is done; before the first round too.
   bool evaluation_due() const;
-  void evaluate();
+
+  /// Throws Cancelled; whatever it throws, nothing has happened then: the evaluation is still due.
+  void evaluate(const Progress& progress = nullptr);
   const std::vector<OnlineEvaluation>& history() const { return history_; }
 
   OnlineState state() const;

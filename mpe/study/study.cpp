@@ -14,38 +14,37 @@ std::vector<StudyJob> missing_jobs(const std::vector<StudyJob>& jobs,
   return missing;
 }
 
-bool run_study(const std::vector<StudyJob>& jobs, const StudySettings& settings, StudyFolder& folder, unsigned threads,
+void run_study(const std::vector<StudyJob>& jobs, const StudySettings& settings, StudyFolder& folder, unsigned threads,
                const StudyWatch& watch) {
   std::atomic<bool> failed = false;
-  std::atomic<bool> whole = true;
+  std::atomic<bool> cancelled = false;
   std::mutex mutex;
   const auto tell = [&](auto&& what, auto&&... arguments) {
     const std::scoped_lock lock(mutex);
     if (what) what(arguments...);
   };
-  const auto stopped = [&] { return failed || (watch.interrupted && watch.interrupted()); };
+  const auto stopped = [&] { return failed || cancelled || watch.progress.cancelled(); };
+  std::size_t done = 0;
   parallel_for(jobs.size(), threads, [&](std::size_t i, unsigned) {
-    if (stopped()) {
-      whole = false;
-      return;
-    }
     const auto& job = jobs[i];
-    tell(watch.started, job);
     JobWatch rules;
-    rules.interrupted = stopped;
-    rules.progress = [&](double share) { tell(watch.progress, job, share); };
+    rules.progress = {[&](double share) { tell(watch.running, job, share); }, stopped};
     rules.note = [&](const std::string& text) { tell(watch.note, text); };
     try {
-      if (const auto record = run_job(job, settings, folder, rules))
-        tell(watch.finished, job, *record);
-      else
-        whole = false;
+      rules.progress.check();
+      tell(watch.started, job);
+      const auto record = run_job(job, settings, folder, rules);
+      tell(watch.finished, job, record);
+      const std::scoped_lock lock(mutex);
+      watch.progress(static_cast<double>(++done) / static_cast<double>(jobs.size()));
+    } catch (const Cancelled&) {
+      cancelled = true;  // not thrown on from here: a job that failed has more to say
     } catch (...) {
       failed = true;
       throw;
     }
   });
-  return whole;
+  if (cancelled) throw Cancelled();
 }
 
 }  // namespace folk::mpe

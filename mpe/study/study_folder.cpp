@@ -73,7 +73,7 @@ fs::path StudyFolder::policy_file(const StudyJob& job) const {
 fs::path StudyFolder::run_folder(const StudyJob& job) const { return root_ / "work" / "runs" / job.name(); }
 
 std::shared_ptr<const DataSet> StudyFolder::data(const StudyJob& job, const StudySettings& settings,
-                                                 const std::function<bool()>& interrupted) {
+                                                 const Progress& progress) {
   const std::scoped_lock lock(mutex_);
   const std::string name = job.data();
   if (auto there = open_[name].lock()) return there;
@@ -92,9 +92,8 @@ std::shared_ptr<const DataSet> StudyFolder::data(const StudyJob& job, const Stud
   description.episode_steps = scenario.episode_steps;
   CollectRules rules;
   rules.resume = true;
-  rules.interrupted = interrupted;
   const fs::path folder = root_ / "work" / "data" / name;
-  if (collect(layout, cast, description, folder, rules).end == Collection::End::interrupted) return nullptr;
+  collect(layout, cast, description, folder, rules, progress);
   auto data = std::make_shared<const DataSet>(DataSet::open(folder));
   open_[name] = data;
   return data;

@@ -6,13 +6,13 @@
 //   work/runs/JOB/         checkpoints of jobs that are running
 //   work/policies/JOB.safetensors
 
+#include <folk/games/progress.h>
 #include <folk/mpe/data/data_set.h>
 #include <folk/mpe/study/study_plan.h>
 #include <folk/mpe/study/study_record.h>
 #include <folk/sct/files/checkpoint_files.h>
 
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -37,9 +37,9 @@ public:
   std::filesystem::path policy_file(const StudyJob& job) const;
   std::filesystem::path run_folder(const StudyJob& job) const;
 
-  /// The data set of a job, collected if it is not there. Nothing when interrupted. Threads may ask at once.
+  /// The data set of a job, collected if it is not there. Throws Cancelled. Threads may ask at once.
   std::shared_ptr<const DataSet> data(const StudyJob& job, const StudySettings& settings,
-                                      const std::function<bool()>& interrupted);
+                                      const Progress& progress = nullptr);
 
 private:
   std::filesystem::path root_;

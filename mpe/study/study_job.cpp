@@ -24,9 +24,6 @@ namespace fs = std::filesystem;
 /// Of a job's time its training takes this share; the rest is its examination.
 constexpr double training_share = 0.75;
 
-/// Thrown through the work when it is interrupted, and caught by run_job.
-struct Interrupted {};
-
 Mean returns_of(std::span<const EpisodeScore> scores) { return mean_of(summarise(scores).predators); }
 
 /// Means of successive parts of the episodes; none where there are fewer than parts.
@@ -61,7 +58,7 @@ public:
   Examination(const StudyJob& job, const StudySettings& settings, const StudyFolder& folder, const JobWatch& watch)
       : job_(job),
         settings_(settings),
-        watch_(watch),
+        progress_(job.learns() ? watch.progress.part(training_share, 1) : watch.progress),
         layout_(Scenario::named(job.scenario)) {
     for (const auto& name : study_preys())
       preys_.push_back(controller(name, Side::prey, layout_.scenario(), folder.players()));
@@ -103,17 +100,12 @@ private:
     return static_cast<std::size_t>(std::find(names.begin(), names.end(), job_.data_prey) - names.begin());
   }
 
-  /// Stops the play where the study is interrupted.
-  std::function<void(double)> ticking() const {
-    return [this](double) {
-      if (watch_.interrupted && watch_.interrupted()) throw Interrupted();
-    };
+  /// Ends the play where the job is cancelled; how far the job is, tell() says.
+  Progress ticking() const {
+    return {nullptr, [this] { return progress_.cancelled(); }};
   }
 
-  void tell(std::size_t preys) const {
-    const double share = static_cast<double>(preys) / static_cast<double>(preys_.size());
-    if (watch_.progress) watch_.progress(job_.learns() ? training_share + (1 - training_share) * share : share);
-  }
+  void tell(std::size_t preys) const { progress_(static_cast<double>(preys) / static_cast<double>(preys_.size())); }
 
   TransformerScores report(const std::shared_ptr<const TransformerMind>& mind, std::size_t prey, double target) const {
     TransformerPlay how;
@@ -157,7 +149,7 @@ private:
 
   const StudyJob& job_;
   const StudySettings& settings_;
-  const JobWatch& watch_;
+  Progress progress_;
   Layout layout_;
   std::vector<Controller> preys_;
 };
@@ -186,8 +178,7 @@ std::optional<std::string> earlier_policy(const fs::path& file, const std::map<s
 /// The policy file of a job: that of an earlier run which was cut off after its training, or a new one.
 std::string trained_policy(const StudyJob& job, const StudySettings& settings, StudyFolder& folder,
                            const JobWatch& watch, StudyRecord& record) {
-  const auto data = folder.data(job, settings, watch.interrupted);
-  if (!data) throw Interrupted();
+  const auto data = folder.data(job, settings, {nullptr, [&] { return watch.progress.cancelled(); }});
   const auto choice = choice_of(job, settings);
   auto learner = make_learner(*data, choice);
   record.training = run_description(*data, choice, *learner);
@@ -205,14 +196,10 @@ std::string trained_policy(const StudyJob& job, const StudySettings& settings, S
     TrainingWatch rules;
     rules.folder = &checkpoints;
     rules.checkpoint_every = std::max<std::uint64_t>(1, training.last_step() / 20);
-    rules.interrupted = watch.interrupted;
     rules.note = watch.note;
     resume(training, rules);
     const double begun = static_cast<double>(training.steps()) / static_cast<double>(training.last_step());
-    rules.progress = [&](double share) {
-      if (watch.progress) watch.progress(training_share * (begun + (1 - begun) * share));
-    };
-    if (!train(training, rules)) throw Interrupted();
+    train(training, rules, watch.progress.part(training_share * begun, training_share));
   }
   std::string bytes = training.learner().policy(notes);
   write_file(folder.policy_file(job), bytes);
@@ -239,28 +226,23 @@ void examine(const StudyJob& job, const StudySettings& settings, StudyFolder& fo
 
 }  // namespace
 
-std::optional<StudyRecord> run_job(const StudyJob& job, const StudySettings& settings, StudyFolder& folder,
-                                   const JobWatch& watch) {
+StudyRecord run_job(const StudyJob& job, const StudySettings& settings, StudyFolder& folder, const JobWatch& watch) {
+  StudyRecord record;
+  record.job = job;
+  record.budget = to_string(settings.budget);
+  record.identity = study_identity(job.scenario, settings, folder.players());
+  record.folk = folder.folk_version();
+  record.episodes = job.learns() ? settings.episodes : settings.player_episodes;
   try {
-    StudyRecord record;
-    record.job = job;
-    record.budget = to_string(settings.budget);
-    record.identity = study_identity(job.scenario, settings, folder.players());
-    record.folk = folder.folk_version();
-    record.episodes = job.learns() ? settings.episodes : settings.player_episodes;
-    try {
-      examine(job, settings, folder, watch, record);
-    } catch (const TrainingDiverged& error) {  // for ever, as the same training does the same again
-      record.diverged = error.what();
-      record.preys.clear();
-    }
-    write_file(folder.record_file(job), record_text(record));
-    std::error_code ignored;
-    fs::remove_all(folder.run_folder(job), ignored);
-    return record;
-  } catch (const Interrupted&) {
-    return std::nullopt;
+    examine(job, settings, folder, watch, record);
+  } catch (const TrainingDiverged& error) {  // for ever, as the same training does the same again
+    record.diverged = error.what();
+    record.preys.clear();
   }
+  write_file(folder.record_file(job), record_text(record));
+  std::error_code ignored;
+  fs::remove_all(folder.run_folder(job), ignored);
+  return record;
 }
 
 double job_cost(const StudyJob& job, const StudySettings& settings) {

@@ -29,19 +29,21 @@ BeliefEffect effect_in(const Trajectory& match, const Mind& mind) {
 }  // namespace
 
 std::vector<BeliefEffect> belief_effects(const std::shared_ptr<const Mind>& mind, const std::vector<Strategy>& roster,
-                                         unsigned threads) {
+                                         unsigned threads, const Progress& progress) {
   const auto& training = mind->policy.training;
   const auto matches = play_and_record(transformer("policy", mind), roster, training.payoffs, training.rounds, 0, 1,
                                        training.seed, threads);
+  progress(0.5);
   std::vector<BeliefEffect> effects(matches.size());
-  parallel_for(matches.size(), threads, [&](std::size_t i, unsigned) { effects[i] = effect_in(matches[i], *mind); });
+  const auto measure = [&](std::size_t i, unsigned) { effects[i] = effect_in(matches[i], *mind); };
+  parallel_for(matches.size(), threads, measure, progress.part(0.5, 1));
   return effects;
 }
 
 BeliefEffect belief_effect(const std::shared_ptr<const Mind>& mind, const std::vector<Strategy>& roster,
-                           unsigned threads) {
+                           unsigned threads, const Progress& progress) {
   BeliefEffect sum;
-  for (const auto& effect : belief_effects(mind, roster, threads)) sum += effect;
+  for (const auto& effect : belief_effects(mind, roster, threads, progress)) sum += effect;
   return sum;
 }
 

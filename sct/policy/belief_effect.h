@@ -1,6 +1,7 @@
 #pragma once
 // Does the belief matter? The belief token is forced to each move, and the moves that change are counted.
 
+#include <folk/games/progress.h>
 #include <folk/sct/policy/thinker.h>
 #include <folk/strategies/strategy.h>
 
@@ -28,12 +29,12 @@ struct BeliefEffect {
 /// A belief that changes nothing is decoration: an intervention on the belief token alone, in the situations that the
 /// policy (playing its own target, greedily) meets over the rounds that it was trained for.
 /// All zero but the rounds for a policy whose stream has no belief token. One effect an opponent, in the roster's
-/// order; all matches are played side by side.
+/// order; all matches are played side by side. Throws Cancelled.
 std::vector<BeliefEffect> belief_effects(const std::shared_ptr<const Mind>& mind, const std::vector<Strategy>& roster,
-                                         unsigned threads = 1);
+                                         unsigned threads = 1, const Progress& progress = nullptr);
 
 /// The sum of belief_effects.
 BeliefEffect belief_effect(const std::shared_ptr<const Mind>& mind, const std::vector<Strategy>& roster,
-                           unsigned threads = 1);
+                           unsigned threads = 1, const Progress& progress = nullptr);
 
 }  // namespace folk::sct

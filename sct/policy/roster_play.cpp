@@ -13,13 +13,13 @@ bool deterministic(const Strategy& strategy) {
 }  // namespace
 
 std::vector<RosterScore> play_roster(const std::vector<Strategy>& strategies, const std::vector<Strategy>& roster,
-                                     const Sampling& sampling) {
+                                     const Sampling& sampling, const Progress& progress) {
   std::vector<Contest> contests;
   for (const auto& strategy : strategies)
     for (const auto& opponent : roster)
       contests.push_back({&strategy, &opponent, contests.size(),
                           sampling.noise == 0 && deterministic(strategy) && deterministic(opponent)});
-  const auto results = play_group(contests, sampling);
+  const auto results = play_group(contests, sampling, progress);
   const auto payoffs = sampling.payoffs.numbers();
   std::vector<RosterScore> scores(strategies.size());
   for (std::size_t s = 0; s < strategies.size(); ++s) {

@@ -2,6 +2,7 @@
 // How a policy fares against a roster: what training is judged by.
 
 #include <folk/analysis/play/sampled_play.h>
+#include <folk/games/progress.h>
 #include <folk/strategies/strategy.h>
 
 #include <optional>
@@ -18,6 +19,6 @@ struct RosterScore {
 
 /// Each strategy against each of the roster; all matches are played side by side.
 std::vector<RosterScore> play_roster(const std::vector<Strategy>& strategies, const std::vector<Strategy>& roster,
-                                     const Sampling& sampling);
+                                     const Sampling& sampling, const Progress& progress = nullptr);
 
 }  // namespace folk::sct

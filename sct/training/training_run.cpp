@@ -57,17 +57,15 @@ bool TrainingRun::evaluation_due() const {
   return finished() || steps() % settings_.evaluate_every == 0;
 }
 
-bool TrainingRun::evaluate(const std::function<bool()>& stopped) {
+void TrainingRun::evaluate(const Progress& progress) {
   const auto& parameters = trainer_.parameters();
-  auto scores = validate(policy_with(parameters), settings_.targets, roster_, settings_.validation, stopped);
-  if (!scores) return false;
-  history_.push_back({steps(), losses_.mean_belief(), losses_.mean_action(), std::move(*scores)});
+  auto scores = validate(policy_with(parameters), settings_.targets, roster_, settings_.validation, progress);
+  history_.push_back({steps(), losses_.mean_belief(), losses_.mean_action(), std::move(scores)});
   losses_ = {};
   if (kept_parameters_.empty() || takes_over(history_.back(), history_[kept_])) {
     kept_ = history_.size() - 1;
     kept_parameters_ = parameters;
   }
-  return true;
 }
 
 Policy TrainingRun::policy_with(std::vector<float> parameters) const {

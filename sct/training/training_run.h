@@ -2,6 +2,7 @@
 // A whole training run: steps, evaluations, and the policy that is kept.
 
 #include <folk/analysis/play/sampled_play.h>
+#include <folk/games/progress.h>
 #include <folk/sct/policy/policy.h>
 #include <folk/sct/training/aggregation.h>
 #include <folk/sct/training/checkpoint.h>
@@ -11,7 +12,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -51,9 +51,9 @@ public:
   /// True when a longer run would not evaluate here: an evaluation that should not be in a checkpoint.
   bool only_due_at_the_end() const { return steps() % settings_.evaluate_every != 0; }
 
-  /// Plays the validation matches and applies the rule of selection.h. False, and nothing has happened, when `stopped`
-  /// says so before they are over.
-  bool evaluate(const std::function<bool()>& stopped);
+  /// Plays the validation matches and applies the rule of selection.h. Throws Cancelled; whatever it throws, nothing
+  /// has happened then: the evaluation is still due, here or after a checkpoint.
+  void evaluate(const Progress& progress = nullptr);
 
   /// Losses since the last evaluation.
   const LossSums& losses() const { return losses_; }

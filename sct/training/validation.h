@@ -2,24 +2,24 @@
 // How a policy fares with each target of a grid.
 
 #include <folk/analysis/play/sampled_play.h>
+#include <folk/games/progress.h>
 #include <folk/sct/policy/policy.h>
 #include <folk/sct/policy/roster_play.h>
 #include <folk/sct/training/selection.h>
 #include <folk/strategies/strategy.h>
 
-#include <functional>
-#include <optional>
 #include <vector>
 
 namespace folk::sct {
 
 /// One policy against each of the roster, asked for each target in turn; `sampling` says game, rounds, noise,
-/// repetitions, seed and threads. Nothing when `stopped`, which is asked before each target, says so.
-std::optional<std::vector<TargetScore>> validate(const Policy& policy, const std::vector<double>& targets,
-                                                 const std::vector<Strategy>& roster, const Sampling& sampling,
-                                                 const std::function<bool()>& stopped);
+/// repetitions, seed and threads. Throws Cancelled.
+std::vector<TargetScore> validate(const Policy& policy, const std::vector<double>& targets,
+                                  const std::vector<Strategy>& roster, const Sampling& sampling,
+                                  const Progress& progress = nullptr);
 
 /// The policy with its own target.
-RosterScore play_policy(const Policy& policy, const std::vector<Strategy>& roster, const Sampling& sampling);
+RosterScore play_policy(const Policy& policy, const std::vector<Strategy>& roster, const Sampling& sampling,
+                        const Progress& progress = nullptr);
 
 }  // namespace folk::sct

@@ -8,7 +8,8 @@
 int main() {
   folk::TournamentSettings settings;
   settings.criterion = folk::Criterion::finite(10);
-  const folk::Tournament tournament(folk::Registry::standard().roster("tit_for_tat,all_d,pavlov"), settings);
+  const auto tournament =
+      folk::play_tournament(folk::Registry::standard().roster("tit_for_tat,all_d,pavlov"), settings);
 
   for (const folk::RankingEntry& entry : tournament.ranking()) {
     std::printf("%zu. %-12s %3.0Lf\n", entry.rank, tournament.name(entry.entrant).c_str(), entry.total);

@@ -75,7 +75,7 @@ int match(const po::variables_map& values, const Common& common) {
   sheet.width = whole_option(values, "width", sheet.width, 20, 100'000);
   note_unusual_payoffs("ipd-match", settings.game, common);
   const MatchRecord record = [&] {
-    Progress progress("playing", !common.quiet);
+    ProgressBar progress("playing", !common.quiet);
     return play_one(settings, std::ref(progress));
   }();
   switch (common.format) {

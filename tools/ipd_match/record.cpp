@@ -30,7 +30,7 @@ Rational payoff(const std::array<Rational, 4>& by_outcome, const MatchRecord& re
 
 }  // namespace
 
-MatchRecord play_one(const MatchSettings& settings, const std::function<void(double)>& progress) {
+MatchRecord play_one(const MatchSettings& settings, const Progress& progress) {
   const Registry registry = standard_names(settings.policies);
   MatchRecord record;
   std::array<std::unique_ptr<Player>, 2> players;

@@ -4,13 +4,13 @@
 #include <folk/tools/choices/game_option.h>
 
 #include <folk/games/noise.h>
+#include <folk/games/progress.h>
 #include <folk/games/seat.h>
 #include <folk/games/transcript.h>
 #include <folk/sct/policy/sct_player.h>
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,7 +41,7 @@ struct MatchRecord {
 
 /// Plays the match; tells `progress` the share of rounds that are done. Throws UsageError on an unknown strategy and
 /// what the players throw.
-MatchRecord play_one(const MatchSettings& settings, const std::function<void(double)>& progress);
+MatchRecord play_one(const MatchSettings& settings, const Progress& progress);
 
 /// The sums of a seat's payoffs in the first 1, 2, ... rounds.
 std::vector<Rational> running_scores(const MatchSettings& settings, const MatchRecord& record, Seat seat);

@@ -16,6 +16,7 @@
 #include <folk/strategies/registry.h>
 
 #include <algorithm>
+#include <functional>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -211,10 +212,9 @@ void print_found_csv(const Question& asked, const MemoryOneReply& found) {
 
 int reply_memory_one(const Question& asked, const Common& common) {
   const Opponents met = opponents(asked);
-  std::optional<Progress> progress(std::in_place, "searching", !common.quiet);
-  const MemoryOneReply found =
-      memory_one_reply(met.population, {2'000, asked.threads, [&](double share) { (*progress)(share); }});
-  progress.reset();
+  std::optional<ProgressBar> bar(std::in_place, "searching", !common.quiet);
+  const MemoryOneReply found = memory_one_reply(met.population, {2'000, asked.threads}, std::ref(*bar));
+  bar.reset();
   switch (common.format) {
     case Format::text: print_found(asked, met, found); break;
     case Format::csv: print_found_csv(asked, found); break;

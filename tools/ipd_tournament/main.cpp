@@ -16,6 +16,7 @@
 #include <folk/strategies/registry.h>
 
 #include <algorithm>
+#include <functional>
 #include <iostream>
 #include <optional>
 #include <thread>
@@ -108,10 +109,9 @@ int tournament(const po::variables_map& values, const Common& common) {
   const auto folder = output_folder(values);
   note_unusual_payoffs("ipd-tournament", game, common);
 
-  std::optional<Progress> progress(std::in_place, fmt::format("playing {} strategies", entrants.size()), !common.quiet);
-  settings.progress = [&](double fraction) { (*progress)(fraction); };
-  const Tournament result(std::move(entrants), core, settings);
-  progress.reset();
+  std::optional<ProgressBar> bar(std::in_place, fmt::format("playing {} strategies", entrants.size()), !common.quiet);
+  const Tournament result = play_tournament(std::move(entrants), core, settings, std::ref(*bar));
+  bar.reset();
 
   const TournamentLabels labels{text_option(values, "strategies"), text_option(values, "include"), game.title};
   const auto found = values.count("invasion") != 0 ? std::optional<Invasions>(result) : std::nullopt;

@@ -228,7 +228,7 @@ int evaluate_players(const po::variables_map& values, const Common& common) {
   const CloseLook look = close_look(values, settings);
   try_output_folder(values);
   Evaluation evaluation = [&] {
-    Progress progress("playing", !common.quiet);
+    ProgressBar progress("playing", !common.quiet);
     return evaluate(settings, std::ref(progress));
   }();
   write_results(values, settings, look, evaluation);
@@ -251,7 +251,7 @@ int replay(const po::variables_map& values, const Common& common) {
   settings.rewards = chosen_reward_rule(values);
   settings.tolerance = parse_number(text_option(values, "tolerance", "1e-12"), "--tolerance", 0, 1e100);
   const auto files = [&] {
-    Progress progress("replaying", !common.quiet);
+    ProgressBar progress("replaying", !common.quiet);
     return replay_files(settings, std::ref(progress));
   }();
   write_replay(std::cout, common.format, settings, files);

@@ -71,21 +71,21 @@ std::uint64_t signature_of(const std::vector<PreyResult>& results) {
 /// Shares of several pieces of work as a share of the whole.
 class Pieces {
 public:
-  Pieces(std::size_t pieces, const std::function<void(double)>& progress)
+  Pieces(std::size_t pieces, const Progress& progress)
       : pieces_(static_cast<double>(pieces)),
         progress_(progress) {}
 
   /// The progress of the next piece, which weighs `weight`.
-  std::function<void(double)> next(double weight) {
+  Progress next(double weight) {
     const double begin = done_;
     done_ += weight;
-    return [this, begin, weight](double share) { progress_((begin + weight * share) / pieces_); };
+    return progress_.part(begin / pieces_, done_ / pieces_);
   }
 
 private:
   double pieces_;
   double done_ = 0;
-  const std::function<void(double)>& progress_;
+  const Progress& progress_;
 };
 
 /// The mind of a transformer's policy file; null for all other players, and for a pipe, which can be read but once.
@@ -141,7 +141,7 @@ void play_transformer(const EvaluationSettings& settings, const mpe::Layout& lay
 
 }  // namespace
 
-Evaluation evaluate(const EvaluationSettings& settings, const std::function<void(double)>& progress) {
+Evaluation evaluate(const EvaluationSettings& settings, const Progress& progress) {
   const mpe::Layout layout(settings.scenario);
   const Controller predators = player(settings, settings.predators, mpe::Side::predators);
   const auto preys = opponents(settings);

@@ -1,13 +1,13 @@
 #pragma once
 // Episodes of the particle world, scored: predators against one prey after another.
 
+#include <folk/games/progress.h>
 #include <folk/mpe/evaluation/beliefs.h>
 #include <folk/mpe/evaluation/episode_record.h>
 #include <folk/mpe/evaluation/scores.h>
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -63,7 +63,7 @@ struct Evaluation {
 
 /// Plays the episodes; references are measured over the same ones. Makes every player before anything is played, and
 /// throws what controller and score_episodes throw.
-Evaluation evaluate(const EvaluationSettings& settings, const std::function<void(double)>& progress);
+Evaluation evaluate(const EvaluationSettings& settings, const Progress& progress);
 
 /// Plays one episode once more, against the first prey, and writes it down. A player that is a program may play it
 /// otherwise: `evaluation` gets a note then.

@@ -129,7 +129,7 @@ void write_json(std::ostream& out, const ReplaySettings& settings, const std::ve
 
 }  // namespace
 
-std::vector<ReplayedFile> replay_files(const ReplaySettings& settings, const std::function<void(double)>& progress) {
+std::vector<ReplayedFile> replay_files(const ReplaySettings& settings, const Progress& progress) {
   std::vector<ReplayedFile> files;
   for (const auto& name : settings.files) {
     ReplayedFile file{name, {}, {}};

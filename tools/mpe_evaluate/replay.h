@@ -3,10 +3,10 @@
 
 #include <folk/tools/program/program.h>
 
+#include <folk/games/progress.h>
 #include <folk/mpe/evaluation/replay.h>
 
 #include <cstdint>
-#include <functional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -32,7 +32,7 @@ struct ReplayedFile {
 };
 
 /// Replays every file; what deviates most comes last. Throws InputFileError.
-std::vector<ReplayedFile> replay_files(const ReplaySettings& settings, const std::function<void(double)>& progress);
+std::vector<ReplayedFile> replay_files(const ReplaySettings& settings, const Progress& progress);
 
 /// True when nothing deviates by more than the tolerance.
 bool within(const ReplaySettings& settings, const std::vector<ReplayedFile>& files);

@@ -15,6 +15,7 @@
 #include <folk/mpe/players/noisy.h>
 
 #include <algorithm>
+#include <functional>
 #include <iostream>
 #include <string>
 #include <thread>
@@ -100,12 +101,16 @@ mpe::DataDescription description_of(const po::variables_map& values, const mpe::
 }
 
 mpe::Collection collected(const mpe::Layout& layout, const mpe::Cast& cast, const mpe::DataDescription& description,
-                          const std::string& folder, mpe::CollectRules rules, const Common& common) {
+                          const std::string& folder, const mpe::CollectRules& rules, const Common& common) {
   const Interruption interruption;
-  Progress progress("collecting", !common.quiet);
-  rules.interrupted = Interruption::requested;
-  rules.progress = [&](double share) { progress(share); };
-  return mpe::collect(layout, cast, description, folder, rules);
+  ProgressBar bar("collecting", !common.quiet);
+  try {
+    return mpe::collect(layout, cast, description, folder, rules, {std::ref(bar), Interruption::requested});
+  } catch (const mpe::CollectionCancelled& cancelled) {
+    throw EnvironmentError(
+        fmt::format("interrupted with {} of {} episodes written; the same command with --resume goes on from there",
+                    cancelled.written, description.episodes));
+  }
 }
 
 int collect(const po::variables_map& values, const Common& common) {
@@ -126,10 +131,6 @@ int collect(const po::variables_map& values, const Common& common) {
   cast.predators = noisy(std::move(cast.predators), description.noise);
 
   const auto collection = collected(layout, cast, description, folder, rules, common);
-  if (collection.end == mpe::Collection::End::interrupted)
-    throw EnvironmentError(
-        fmt::format("interrupted with {} of {} episodes written; the same command with --resume goes on from there",
-                    collection.written, description.episodes));
   if (!common.quiet && collection.end == mpe::Collection::End::was_there)
     say(name, fmt::format("{}: this very data set is there already", excerpt(folder, 1000)));
   else if (!common.quiet && rules.resume)

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <system_error>
@@ -206,15 +207,16 @@ void train(OfflineTraining& training, const mpe::TrainingWatch& rules, const Com
   };
   if (mpe::resume(training, watch) && !common.quiet) say(name, fmt::format("resumed at step {}", training.steps()));
   const Interruption interruption;
-  Progress progress("training", !common.quiet);
-  watch.interrupted = Interruption::requested;
-  watch.progress = [&](double share) { progress(share); };
-  if (mpe::train(training, watch)) return;
-  throw EnvironmentError(
-      watch.folder == nullptr
-          ? fmt::format("interrupted after step {}; nothing is kept without --checkpoint DIR", training.steps())
-          : fmt::format("interrupted after step {}; the same command with --resume goes on from there",
-                        training.steps()));
+  ProgressBar bar("training", !common.quiet);
+  try {
+    mpe::train(training, watch, {std::ref(bar), Interruption::requested});
+  } catch (const Cancelled&) {
+    throw EnvironmentError(
+        watch.folder == nullptr
+            ? fmt::format("interrupted after step {}; nothing is kept without --checkpoint DIR", training.steps())
+            : fmt::format("interrupted after step {}; the same command with --resume goes on from there",
+                          training.steps()));
+  }
 }
 
 int offline(const po::variables_map& values, const Common& common) {

@@ -155,7 +155,7 @@ public:
 
   void train() {
     const Interruption interruption;
-    Progress progress("training", !common_.quiet);
+    ProgressBar progress("training", !common_.quiet);
     const double first = static_cast<double>(training_.episodes());
     const double all = std::max(1.0, static_cast<double>(training_.settings().episodes) - first);
     for (;;) {

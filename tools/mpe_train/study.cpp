@@ -122,7 +122,7 @@ private:
   const StudySettings& settings_;
   unsigned threads_;
   bool enabled_;
-  Progress bar_;
+  ProgressBar bar_;
   std::map<std::string, double> left_;  // what each job costs
   std::map<std::string, Running> running_;
   double cost_ = 0;
@@ -153,13 +153,16 @@ void work(const std::vector<StudyJob>& missing, std::size_t all, const StudySett
   const Interruption interruption;
   Teller teller(all, all - missing.size(), missing, settings, threads, !common.quiet);
   mpe::StudyWatch watch;
-  watch.interrupted = Interruption::requested;
+  watch.progress = {nullptr, Interruption::requested};
   watch.started = [&](const StudyJob& job) { teller.started(job); };
-  watch.progress = [&](const StudyJob& job, double share) { teller.progress(job, share); };
+  watch.running = [&](const StudyJob& job, double share) { teller.progress(job, share); };
   watch.finished = [&](const StudyJob& job, const StudyRecord& record) { teller.finished(job, record); };
   watch.note = [&](const std::string& text) { teller.line(fmt::format("note: {}; the one before is taken", text)); };
-  if (!mpe::run_study(missing, settings, folder, threads, watch))
+  try {
+    mpe::run_study(missing, settings, folder, threads, watch);
+  } catch (const Cancelled&) {
     throw EnvironmentError("interrupted; the same command goes on from there");
+  }
 }
 
 int study(const po::variables_map& values, const Common& common) {

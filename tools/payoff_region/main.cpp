@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <iostream>
 #include <optional>
 #include <thread>
@@ -112,9 +113,8 @@ std::optional<RegionTournament> chosen_tournament(const po::variables_map& value
   settings.threads =
       static_cast<unsigned>(whole_option(values, "threads", std::max(1U, std::thread::hardware_concurrency()), 1, 256));
   auto entrants = entrants_of(values, settings.payoffs);
-  Progress progress(fmt::format("playing {} strategies", entrants.size()), !common.quiet);
-  settings.progress = [&](double fraction) { progress(fraction); };
-  const Tournament tournament(std::move(entrants), settings);
+  ProgressBar bar(fmt::format("playing {} strategies", entrants.size()), !common.quiet);
+  const Tournament tournament = play_tournament(std::move(entrants), settings, std::ref(bar));
   return RegionTournament{text_option(values, "strategies"),
                           text_option(values, "include"),
                           settings.criterion.to_string(),

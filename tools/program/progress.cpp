@@ -42,15 +42,15 @@ std::string progress_line(const std::string& what, double fraction, std::optiona
   return line;
 }
 
-Progress::Progress(std::string what, bool enabled)
+ProgressBar::ProgressBar(std::string what, bool enabled)
     : what_(std::move(what)),
       shows_(enabled && ::isatty(STDERR_FILENO) == 1) {}
 
-Progress::~Progress() {
+ProgressBar::~ProgressBar() {
   if (drawn_) show("\r\x1b[K");
 }
 
-void Progress::operator()(double fraction) {
+void ProgressBar::operator()(double fraction) {
   if (!shows_) return;
   const std::lock_guard lock(mutex_);
   fraction_ = std::max(fraction_, fraction);
@@ -65,7 +65,7 @@ void Progress::operator()(double fraction) {
   drawn_ = true;
 }
 
-void Progress::make_way() {
+void ProgressBar::make_way() {
   const std::scoped_lock lock(mutex_);
   if (drawn_) show("\r\x1b[K");
   drawn_ = false;

@@ -25,12 +25,12 @@ std::string duration(double seconds);
 
 /// Shows how far some work has got once it has lasted a second, a few times a second, and removes itself at the end.
 /// Shows nothing unless enabled and stderr is a terminal. Any thread may report; the highest fraction counts.
-class Progress {
+class ProgressBar {
 public:
-  Progress(std::string what, bool enabled);
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-  ~Progress();
+  ProgressBar(std::string what, bool enabled);
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+  ~ProgressBar();
 
   /// The share of the work that is done, 0 to 1.
   void operator()(double fraction);

@@ -32,7 +32,7 @@ int check(const po::variables_map& values, const Common& common) {
   const SceQuestion question = sce_question(values);
   note_unusual_payoffs("sce-check", question.game, common);
   const SceReport report = examine(question, [&](const std::string& stage) {
-    return [progress = std::make_shared<Progress>(stage, !common.quiet)](double fraction) { (*progress)(fraction); };
+    return [bar = std::make_shared<ProgressBar>(stage, !common.quiet)](double share) { (*bar)(share); };
   });
   if (question.output) write_files(*question.output, question, report);
   switch (common.format) {

@@ -110,7 +110,9 @@ void train(sct::TrainingRun& run, sct::CheckpointFolder* folder, std::uint64_t c
   for (;;) {
     if (run.evaluation_due()) {
       if (run.only_due_at_the_end()) save();
-      if (!run.evaluate(Interruption::requested)) {
+      try {
+        run.evaluate({nullptr, Interruption::requested});
+      } catch (const Cancelled&) {
         save();
         interrupted(run, folder);
       }

@@ -2,6 +2,7 @@
 #include <folk/analysis/beliefs/belief_record.h>
 #include <folk/analysis/play/group_play.h>
 #include <folk/games/error.h>
+#include <games/ended_work.h>
 #include <games/expect_error.h>
 #include <gtest/gtest.h>
 
@@ -85,6 +86,21 @@ TEST(BeliefRecord, RefusesWhatHasNoRounds) {
   sampling.noise = 0.1;
   expect_error<UsageError>([&] { record_beliefs(policy, roster("all_c"), sampling); }, "noise 0");
   expect_error<UsageError>([&] { record_beliefs(policy, roster("all_c"), over(1'000'000'000)); }, "fewer rounds");
+}
+
+TEST(BeliefRecordThreads, EndsAsItsProgressWishes) {
+  auto policy = believer("tit_for_tat", "all_c");
+  for (const bool together : {false, true}) {
+    policy.thinks_together = together;
+    for (const unsigned threads : {1U, 4U}) {
+      auto sampling = over(6);
+      sampling.threads = threads;
+      test::expect_ends([&](const Progress& progress) {
+        const auto records = record_beliefs(policy, roster("all_c,all_d,random(0.5)"), sampling, progress);
+        EXPECT_EQ(records.back().matches.size(), 3U);
+      });
+    }
+  }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <folk/analysis/beliefs/extraction.h>
 #include <folk/games/error.h>
 #include <folk/strategies/machine_text.h>
+#include <games/ended_work.h>
 #include <games/expect_error.h>
 #include <gtest/gtest.h>
 
@@ -144,6 +145,20 @@ TEST(Extraction, RefusesWhatItCannotBuildFrom) {
   auto random = policy;
   random.deterministic = false;
   expect_error<UsageError>([&] { extract_machines(random, opponents, matches, options); }, "random numbers");
+}
+
+TEST(ExtractionThreads, EndsAsItsProgressWishes) {
+  const auto policy = believer("pavlov", "all_c");
+  const auto opponents = roster("all_d,per_ccd");
+  const auto met = records(policy, opponents);
+  for (const unsigned threads : {1U, 4U}) {
+    ExtractionOptions options;
+    options.depth = 5;
+    options.threads = threads;
+    test::expect_ends([&](const Progress& progress) {
+      EXPECT_EQ(extract_machines(policy, opponents, met, options, progress).size(), options.state_prices.size());
+    });
+  }
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <folk/analysis/beliefs/own_belief_gap.h>
 #include <folk/analysis/replies/bayes_player.h>
 #include <folk/games/error.h>
+#include <games/ended_work.h>
 #include <games/expect_error.h>
 #include <gtest/gtest.h>
 
@@ -221,6 +222,17 @@ TEST(OwnBeliefGap, RefusesWhatIsOutOfRange) {
   search.rounds = {6};
   expect_error<UsageError>([&] { own_belief_gaps(player, match, search); }, "round 6");
   expect_error<UsageError>([&] { own_belief_gaps(player, {match[0], {}}, {}); }, "one length");
+}
+
+TEST(OwnBeliefGapThreads, EndsAsItsProgressWishes) {
+  const auto player = believer("tit_for_tat", "all_c");
+  const auto met = paths(player, "all_d,per_ccd", 12);
+  for (const unsigned threads : {1U, 4U}) {
+    OwnBeliefSearch search;
+    search.threads = threads;
+    test::expect_ends(
+        [&](const Progress& progress) { EXPECT_EQ(own_belief_gaps(player, met, search, progress).size(), 2U); });
+  }
 }
 
 }  // namespace

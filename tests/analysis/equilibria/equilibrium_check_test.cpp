@@ -1,6 +1,8 @@
 #include "analysis/play/naive.h"
+#include "games/ended_work.h"
 
 #include <folk/analysis/equilibria/equilibrium_check.h>
+#include <folk/analysis/play/parallel.h>
 #include <folk/games/error.h>
 #include <folk/strategies/registry.h>
 #include <gtest/gtest.h>
@@ -147,6 +149,31 @@ RC_GTEST_PROP(PairGaps, AreOrderedAsTheNotionsAre, ()) {
   if (gaps.subgame_perfect && gaps.subgame_perfect->gain <= rounding &&
       pair_gaps(second, first, question).first.subgame_perfect->gain <= rounding)
     RC_ASSERT(gaps.nash->gain <= 1e-6);
+}
+
+TEST(PairGaps, EndAsTheirProgressWishes) {
+  const auto classics = Registry::standard().roster("classics");
+  for (const char* name : {"pavlov", "random(0.3)"}) {
+    const auto own = named(name).machine;
+    const auto theirs = named("tit_for_tat").machine;
+    const EquilibriumQuestion question{{}, Criterion::finite(10), classics};
+    test::expect_ends([&](const Progress& progress) {
+      EXPECT_TRUE(pair_gaps(*own, *theirs, question, progress).second.self_confirming_unrestricted);
+    });
+  }
+}
+
+// As an examination of many pairs asks: each thread its own questions, one progress over all of them.
+TEST(PairGapsThreads, EndAsTheirProgressWishes) {
+  const auto opponents = Registry::standard().roster("all_c,all_d,pavlov,tit_for_tat,spiteful,per_ccd");
+  const auto own = named("pavlov").machine;
+  const EquilibriumQuestion question{{}, Criterion::finite(10), opponents};
+  for (const unsigned threads : {1U, 4U})
+    test::expect_ends([&](const Progress& progress) {
+      const Progress cancels{nullptr, [&] { return progress.cancelled(); }};
+      const auto ask = [&](std::size_t i, unsigned) { pair_gaps(*own, *opponents[i].machine, question, cancels); };
+      parallel_for(opponents.size(), threads, ask, progress);
+    });
 }
 
 }  // namespace

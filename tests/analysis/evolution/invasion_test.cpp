@@ -1,5 +1,6 @@
 // Who invades whom: known facts, the definition spelt out, and figures that are not exact.
 
+#include "games/ended_work.h"
 #include "games/expect_error.h"
 
 #include <folk/analysis/evolution/invasion.h>
@@ -14,7 +15,7 @@ namespace folk {
 namespace {
 
 Tournament play(const std::string& roster, TournamentSettings settings = {}) {
-  return Tournament(Registry::standard().roster(roster, settings.payoffs), settings);
+  return play_tournament(Registry::standard().roster(roster, settings.payoffs), settings);
 }
 
 TournamentSettings under(const Criterion& criterion, double noise = 0) {
@@ -125,6 +126,11 @@ TEST(InvasionDrawing, PutsWhatIsAlikeIntoOneBoxAndDriftIntoAFrame) {
 TEST(InvasionDrawing, RefusesTooMany) {
   const auto tournament = play("memory(1,1),classics");
   test::expect_error<UsageError>([&] { to_dot(Invasions(tournament), names_of(tournament), ""); }, "at most 40");
+}
+
+TEST(Invasions, EndAsTheirProgressWishes) {
+  const auto tournament = play("all_c,all_d,tit_for_tat,pavlov");
+  test::expect_ends([&](const Progress& progress) { EXPECT_EQ(Invasions(tournament, progress).size(), 4U); });
 }
 
 }  // namespace

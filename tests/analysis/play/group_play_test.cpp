@@ -124,10 +124,10 @@ TEST(GroupPlay, GivesTheSameWithOrWithoutCompany) {
     settings.noise = 0.05;
     settings.repetitions = 30;
     const auto diary = std::make_shared<Diary>();
-    const Tournament together(with_classics(mirror(diary, true, true)), settings);
+    const auto together = play_tournament(with_classics(mirror(diary, true, true)), settings);
     EXPECT_EQ(diary->largest_group, most_matches_at_once);
     const auto alone = std::make_shared<Diary>();
-    const Tournament apart(with_classics(mirror(alone, true, false)), settings);
+    const auto apart = play_tournament(with_classics(mirror(alone, true, false)), settings);
     EXPECT_EQ(alone->thoughts, 0U);
     EXPECT_LE(alone->most_alive, 2U) << "one match at a time";
     EXPECT_EQ(together.signature(), apart.signature());
@@ -178,7 +178,7 @@ TEST(GroupPlay, RefusesWhatTakesTooLong) {
   TournamentSettings settings;
   settings.criterion = Criterion::finite(1'000'000'000);
   try {
-    const Tournament tournament({toy}, settings);
+    const auto tournament = play_tournament({toy}, settings);
     FAIL();
   } catch (const UsageError& error) {
     EXPECT_NE(std::string(error.what()).find("mirror against mirror"), std::string::npos) << error.what();
@@ -222,7 +222,7 @@ TEST(GroupPlay, TheTournamentKnowsWhoBelievesWhatIsTrue) {
   roster.back().caveat = "a toy";
   roster.push_back(roster.back());
   roster.back().name = "its twin";
-  const Tournament tournament(roster, 3, settings);
+  const auto tournament = play_tournament(roster, 3, settings);
   EXPECT_TRUE(tournament.has_beliefs());
   EXPECT_EQ(tournament.caveats(), std::vector<std::string>{"a toy"});
   EXPECT_FALSE(tournament.belief_accuracy(0, 3));
@@ -246,7 +246,7 @@ TEST(GroupPlay, TheTournamentKnowsWhoBelievesWhatIsTrue) {
   // Beliefs are part of what was computed.
   for (auto& strategy : roster)
     if (!strategy.machine) strategy.make_player = [make = opaque("tit_for_tat").make_player] { return make(); };
-  const Tournament without(roster, 3, settings);
+  const auto without = play_tournament(roster, 3, settings);
   EXPECT_FALSE(without.has_beliefs());
   EXPECT_EQ(without.score(3, 1), tournament.score(3, 1));
   EXPECT_NE(without.signature(), tournament.signature());
@@ -256,7 +256,7 @@ TEST(GroupPlay, WithoutSelfPlayNobodyMeetsItself) {
   TournamentSettings settings;
   settings.self_play = false;
   const auto diary = std::make_shared<Diary>();
-  const Tournament tournament(with_classics(mirror(diary, true, true)), settings);
+  const auto tournament = play_tournament(with_classics(mirror(diary, true, true)), settings);
   EXPECT_FALSE(tournament.played(18, 18));
   for (const auto& entry : tournament.ranking())
     EXPECT_NEAR(static_cast<double>(entry.total), static_cast<double>(entry.total_against_roster), 1e-9)
@@ -268,14 +268,13 @@ TEST(GroupPlayThreads, DoNotChangeTheResults) {
   settings.criterion = Criterion::finite(20);
   settings.repetitions = 20;
   const auto entrants = with_classics(mirror(std::make_shared<Diary>(), true, true));
-  const Tournament one(entrants, settings);
+  const auto one = play_tournament(entrants, settings);
   settings.threads = 4;
   double last = 0;
-  settings.progress = [&](double share) {
+  const auto four = play_tournament(entrants, settings, [&](double share) {
     EXPECT_GE(share, last);
     last = share;
-  };
-  const Tournament four(entrants, settings);
+  });
   EXPECT_NEAR(last, 1, 1e-12);
   EXPECT_EQ(one.signature(), four.signature());
 }

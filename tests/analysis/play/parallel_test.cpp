@@ -4,7 +4,10 @@
 #include <atomic>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
+
+#include "games/ended_work.h"
 
 namespace folk {
 namespace {
@@ -32,6 +35,42 @@ TEST(ParallelThreads, RethrowAndStop) {
     EXPECT_EQ(std::string(error.what()), "seven");
   }
   EXPECT_LT(begun, 100'000);
+}
+
+TEST(ParallelThreads, EndAsTheirProgressWishes) {
+  for (const unsigned threads : {1U, 4U})
+    test::expect_ends([&](const Progress& progress) {
+      std::vector<int> done(40, 0);
+      const auto work = [&](std::size_t i, unsigned) { ++done[i]; };
+      parallel_for(done.size(), threads, work, progress);
+    });
+}
+
+// The second piece ends as soon as who was told of the first is about to throw.
+TEST(ParallelThreads, TellNobodyAnyMoreOnceItHasThrown) {
+  for (int run = 0; run < 50; ++run) {
+    std::atomic<int> begun{0};
+    std::atomic<int> told{0};
+    const auto work = [&](std::size_t i, unsigned) {
+      ++begun;
+      while (begun < 2 || (i == 1 && told == 0)) std::this_thread::yield();
+    };
+    const auto tell = [&](double) {
+      ++told;
+      throw test::Enough();
+    };
+    EXPECT_THROW(parallel_for(2, 2, work, tell), test::Enough);
+    EXPECT_EQ(told, 1);
+  }
+}
+
+TEST(ParallelThreads, BeginNoPieceOnceCancelled) {
+  for (const unsigned threads : {1U, 4U}) {
+    const Progress progress;
+    progress.cancel();
+    const auto work = [](std::size_t, unsigned) { FAIL(); };
+    EXPECT_THROW(parallel_for(100, threads, work, progress), Cancelled);
+  }
 }
 
 TEST(ParallelThreads, ReportRisingProgress) {

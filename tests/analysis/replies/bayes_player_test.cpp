@@ -55,7 +55,7 @@ TEST(BayesPlayer, EarnsItsValueAgainstSct2025) {
   auto roster = with_bayes().roster("sct2025,bayes(sct2025)");
   TournamentSettings settings;
   settings.repetitions = 2;
-  const Tournament tournament(std::move(roster), 17, settings);
+  const auto tournament = play_tournament(std::move(roster), 17, settings);
   double total = 0;
   for (std::size_t j = 0; j < 17; ++j) total += tournament.score(17, j);
   EXPECT_EQ(total, 5160);

@@ -1,6 +1,7 @@
 // The best memory-one reply found: against published figures, exact best replies and grids.
 
 #include "analysis/play/naive.h"
+#include "games/ended_work.h"
 #include "games/expect_error.h"
 
 #include <folk/analysis/play/criterion_table.h>
@@ -200,6 +201,14 @@ TEST(MemoryOneReply, RefusesWhatMakesNoSense) {
   for (std::uint32_t s = 0; s < 2000; ++s) long_chain[s].next.fill((s + 1) % 2000);
   const Automaton chain(long_chain, 0);
   test::expect_error<UsageError>([&] { Population({{chain, 1}}, {{}, long_run}); }, "2000 states");
+}
+
+TEST(MemoryOneReplyThreads, EndsAsItsProgressWishes) {
+  const auto population = of({{0.5, 0.5, 0.5, 0.5}}, long_run);
+  for (const unsigned threads : {1U, 4U})
+    test::expect_ends([&](const Progress& progress) {
+      EXPECT_EQ(memory_one_reply(population, {1, threads}, progress).certificate.faces, 162U);
+    });
 }
 
 }  // namespace

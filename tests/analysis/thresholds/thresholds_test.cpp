@@ -1,4 +1,5 @@
 #include "analysis/play/naive.h"
+#include "games/ended_work.h"
 #include "games/expect_error.h"
 
 #include <folk/analysis/thresholds/thresholds.h>
@@ -376,6 +377,17 @@ RC_GTEST_PROP(Thresholds, SidesExchangedAreTheSame, ()) {
   first.subgame_perfect->set.intersect(second.subgame_perfect->set);
   first.self_confirming_unrestricted->set.intersect(second.self_confirming_unrestricted->set);
   RC_ASSERT(same(first, one(Sides::both)));
+}
+
+TEST(Thresholds, EndAsTheirProgressWishes) {
+  const auto machine = [](const char* name) {
+    return minimise(*tabulate(*Registry::standard().make(name).machine, Sense::any_own_moves), Sense::any_own_moves);
+  };
+  const auto first = machine("pavlov");
+  const auto second = machine("spiteful");
+  test::expect_ends([&](const Progress& progress) {
+    EXPECT_TRUE(thresholds(first, second, {}, Sides::both, {}, progress).subgame_perfect);
+  });
 }
 
 }  // namespace

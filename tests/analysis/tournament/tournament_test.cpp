@@ -13,6 +13,8 @@
 #include <map>
 #include <string>
 
+#include "games/ended_work.h"
+
 namespace folk {
 namespace {
 
@@ -22,7 +24,7 @@ Tournament play(const std::string& roster, TournamentSettings settings = {}, con
   const std::size_t core = entrants.size();
   if (!guests.empty())
     for (auto& guest : registry.roster(guests, settings.payoffs)) entrants.push_back(guest);
-  return Tournament(std::move(entrants), core, settings);
+  return play_tournament(std::move(entrants), core, settings);
 }
 
 TournamentSettings over(std::uint64_t rounds) {
@@ -180,7 +182,7 @@ TEST(Tournament, AddsTheErrorsOfOpponentsThatShareASample) {
     roster.insert(roster.begin(), opaque);
     TournamentSettings settings;
     settings.self_play = false;
-    const Tournament tournament(roster, settings);
+    const auto tournament = play_tournament(roster, settings);
     for (const auto& entry : tournament.ranking())
       if (entry.entrant == 0) return entry.error;
     return 0.0;
@@ -192,7 +194,7 @@ TEST(Tournament, TakesNoNoticeOfAMixingStateOutOfReach) {
   const Automaton table({{1, {0, 1, 0, 1}}, {0, {0, 1, 0, 1}}, {0.5, {2, 2, 2, 2}}}, 0);
   std::vector<Strategy> roster{{"tft_and_more", std::make_shared<Automaton>(table), nullptr},
                                Registry::standard().make("soft_majo")};
-  const Tournament tournament(roster, over(1'000'000'000'000));
+  const auto tournament = play_tournament(roster, over(1'000'000'000'000));
   EXPECT_EQ(tournament.method(0, 1), Method::cycle);
   EXPECT_EQ(tournament.score(0, 1), 3e12);
 }
@@ -253,7 +255,7 @@ TEST(Tournament, UnrolledMachinesAgreeWithSampling) {
       const auto machine = pair[0].machine;
       pair[0] = {"copy", nullptr, [machine] { return folk::play(machine); }};
       settings.repetitions = 3000;
-      const Tournament sampled(pair, 2, settings);
+      const auto sampled = play_tournament(pair, 2, settings);
       EXPECT_EQ(sampled.method(0, 1), Method::sampled);
       EXPECT_NEAR(sampled.score(0, 1), exact.score(i, j), 4 * sampled.standard_error(0, 1));
     }
@@ -276,7 +278,7 @@ TEST(Tournament, DiscountedMajoritiesAgreeWithTheirClosedForm) {
 
 TEST(Tournament, RefusesWhatMakesNoSense) {
   TournamentSettings settings;
-  EXPECT_THROW(Tournament({}, 0, settings), UsageError);
+  EXPECT_THROW(play_tournament({}, 0, settings), UsageError);
   EXPECT_THROW(settings.noise = 1.5, UsageError);
   EXPECT_THROW(settings.noise = std::nan(""), UsageError);
   EXPECT_THROW(settings.repetitions = 0, UsageError);
@@ -294,8 +296,7 @@ TEST(TournamentThreads, GiveTheSameResultsForAnyNumber) {
   const auto one = play(roster, settings);
   settings.threads = 4;
   std::size_t reports = 0;
-  settings.progress = [&](double) { ++reports; };
-  const auto four = play(roster, settings);
+  const auto four = play_tournament(Registry::standard().roster(roster), settings, [&](double) { ++reports; });
   EXPECT_EQ(one.signature(), four.signature());
   EXPECT_GT(reports, 0U);
   for (std::size_t i = 0; i < one.size(); ++i)
@@ -305,6 +306,28 @@ TEST(TournamentThreads, GiveTheSameResultsForAnyNumber) {
   const auto seed_two = play(roster, settings);
   settings.seed = 3;
   EXPECT_NE(seed_two.signature(), play(roster, settings).signature());
+}
+
+TEST(TournamentThreads, EndAsTheirProgressWishes) {
+  auto settings = over(20);
+  settings.repetitions = 2;
+  auto roster = Registry::standard().roster("classics,random(0.3)");
+  for (const bool thinks_together : {false, true}) {
+    if (thinks_together) {
+      const auto machine = Registry::standard().make("tit_for_tat").machine;
+      Strategy thinker{"thinker", nullptr, [machine] { return folk::play(machine); }};
+      thinker.thinks_together = true;
+      roster.push_back(thinker);
+    }
+    settings.threads = 1;
+    const auto signature = play_tournament(roster, settings).signature();
+    for (const unsigned threads : {1U, 4U}) {
+      settings.threads = threads;
+      test::expect_ends([&](const Progress& progress) {
+        EXPECT_EQ(play_tournament(roster, settings, progress).signature(), signature);
+      });
+    }
+  }
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <optional>
 #include <string>
 
+#include "games/ended_work.h"
 #include "games/expect_error.h"
 #include "mpe/data/small_data_set.h"
 
@@ -57,11 +58,23 @@ const Files& whole() {
   return files;
 }
 
-/// Rules that interrupt a run of one thread when `blocks` of 64 episodes are done.
-CollectRules interrupted_after(int blocks) {
+/// A run of one thread that is cancelled once `blocks` more of 64 episodes are done; how many are written then.
+std::size_t collect_blocks(int blocks, const DataDescription& description, const std::filesystem::path& folder,
+                           bool resume = false, const Cast& cast = pursuit_cast()) {
   CollectRules rules;
-  rules.interrupted = [blocks]() mutable { return blocks-- == 0; };
-  return rules;
+  rules.resume = resume;
+  Progress progress;
+  progress = [&](double) {
+    if (--blocks == 0) progress.cancel();
+  };
+  if (blocks == 0) progress.cancel();
+  try {
+    collect(tag(), cast, description, folder, rules, progress);
+  } catch (const CollectionCancelled& cancelled) {
+    return cancelled.written;
+  }
+  ADD_FAILURE() << "it was not cancelled";
+  return 0;
 }
 
 CollectRules resuming(unsigned threads = 1) {
@@ -120,21 +133,17 @@ TEST(Collect, EpisodesOfPlayersOnAPipeComeOneByOne) {
 TEST(Collect, TellsHowFarItIs) {
   const Folder folder;
   double last = 0;
-  CollectRules rules;
-  rules.progress = [&](double share) {
+  collect(tag(), pursuit_cast(), tag_description(), folder / "set", {}, [&](double share) {
     EXPECT_GE(share, last);
     last = share;
-  };
-  collect(tag(), pursuit_cast(), tag_description(), folder / "set", rules);
+  });
   EXPECT_EQ(last, 1);
 }
 
 TEST(Collect, AnInterruptedRunLeavesNoFolderAndIsResumed) {
   for (int blocks = 0; blocks < 3; ++blocks) {
     const Folder folder;
-    const auto first = collect(tag(), pursuit_cast(), tag_description(), folder / "set", interrupted_after(blocks));
-    EXPECT_EQ(first.end, Collection::End::interrupted);
-    EXPECT_EQ(first.written, static_cast<std::size_t>(blocks) * 64);
+    EXPECT_EQ(collect_blocks(blocks, tag_description(), folder / "set"), static_cast<std::size_t>(blocks) * 64);
     EXPECT_EQ(folder.names(), Names{"set.partial"});
     auto again = resuming(2);
     const auto second = collect(tag(), pursuit_cast(), tag_description(), folder / "set", again);
@@ -145,13 +154,39 @@ TEST(Collect, AnInterruptedRunLeavesNoFolderAndIsResumed) {
   }
 }
 
+// However it ends: the folder is whole or not there, and the same call makes it.
+TEST(CollectThreads, EndsAsItsProgressWishes) {
+  for (const unsigned threads : {1U, 4U})
+    folk::test::expect_ends([&](const Progress& progress) {
+      const Folder folder;
+      const auto run = [&](const Progress& told) {
+        return collect(tag(), pursuit_cast(), tag_description(), folder / "set", resuming(threads), told);
+      };
+      const auto expect_whole = [&] {
+        EXPECT_EQ(folder.names(), Names{"set"});
+        EXPECT_TRUE(read_folder(folder / "set") == whole());
+      };
+      try {
+        run(progress);
+      } catch (const CollectionCancelled& cancelled) {
+        if (folder.names() == Names{"set.partial"}) {
+          EXPECT_EQ(run(nullptr).kept, cancelled.written);
+        }
+        expect_whole();
+        throw;
+      } catch (const folk::test::Enough&) {
+        if (folder.names() == Names{}) run(nullptr);
+        expect_whole();
+        throw;
+      }
+      expect_whole();
+    });
+}
+
 TEST(Collect, ResumesAsOftenAsItIsInterrupted) {
   const Folder folder;
   for (int run = 0; run < 2; ++run) {
-    auto rules = interrupted_after(1);
-    rules.resume = true;
-    EXPECT_EQ(collect(tag(), pursuit_cast(), tag_description(), folder / "set", rules).written,
-              static_cast<std::size_t>(run + 1) * 64);
+    EXPECT_EQ(collect_blocks(1, tag_description(), folder / "set", true), static_cast<std::size_t>(run + 1) * 64);
   }
   EXPECT_EQ(collect(tag(), pursuit_cast(), tag_description(), folder / "set", resuming()).kept, 128U);
   EXPECT_TRUE(read_folder(folder / "set") == whole());
@@ -168,7 +203,7 @@ void damage(const std::filesystem::path& path, std::streamoff place) {
 
 TEST(Collect, RowsThatDidNotReachTheDiskArePlayedAgain) {
   const Folder folder;
-  collect(tag(), pursuit_cast(), tag_description(), folder / "set", interrupted_after(2));
+  collect_blocks(2, tag_description(), folder / "set");
   damage(folder / "set.partial/obs_2.npy", 128 + 5 * 25 * 16 * 4 + 100);  // of episode 5
   damage(folder / "set.partial/dones_3.npy", 128 + 70 * 25 * 4);          // of episode 70
   damage(folder / "set.partial/journal", 100 * 8);                        // the word of episode 100
@@ -180,12 +215,12 @@ TEST(Collect, RowsThatDidNotReachTheDiskArePlayedAgain) {
 
 TEST(Collect, FilesThatAreNotAllThereAreMadeAgain) {
   const Folder folder;
-  collect(tag(), pursuit_cast(), tag_description(), folder / "set", interrupted_after(1));
+  collect_blocks(1, tag_description(), folder / "set");
   std::filesystem::remove(folder / "set.partial/rews_0.npy");
   EXPECT_EQ(collect(tag(), pursuit_cast(), tag_description(), folder / "set", resuming()).kept, 0U);
   EXPECT_TRUE(read_folder(folder / "set") == whole());
   std::filesystem::remove_all(folder / "set");
-  collect(tag(), pursuit_cast(), tag_description(), folder / "set", interrupted_after(1));
+  collect_blocks(1, tag_description(), folder / "set");
   std::filesystem::remove(folder / "set.partial/description.json");  // it comes last
   EXPECT_EQ(collect(tag(), pursuit_cast(), tag_description(), folder / "set", resuming()).kept, 0U);
   EXPECT_TRUE(read_folder(folder / "set") == whole());
@@ -193,14 +228,14 @@ TEST(Collect, FilesThatAreNotAllThereAreMadeAgain) {
 
 TEST(Collect, WithoutResumeItBeginsAnew) {
   const Folder folder;
-  collect(tag(), pursuit_cast(), tag_description(2 * episodes), folder / "set", interrupted_after(2));
+  collect_blocks(2, tag_description(2 * episodes), folder / "set");
   EXPECT_EQ(collect(tag(), pursuit_cast(), tag_description(), folder / "set").kept, 0U);
   EXPECT_TRUE(read_folder(folder / "set") == whole());
 }
 
 TEST(Collect, DoesNotGoOnWithAnotherDataSet) {
   const Folder folder;
-  collect(tag(), pursuit_cast(), tag_description(), folder / "set", interrupted_after(1));
+  collect_blocks(1, tag_description(), folder / "set");
   auto other = tag_description();
   other.seed = 2;
   expect_error<UsageError>([&] { collect(tag(), pursuit_cast(), other, folder / "set", resuming()); },
@@ -296,7 +331,7 @@ TEST(Collect, WhatFailsInAResumedRunLeavesWhatWasThere) {
   const Folder folder;
   const Cast cast{failing(100, std::nan("")), still_player()};
   const auto description = tag_description();
-  collect(tag(), cast, description, folder / "set", interrupted_after(1));
+  collect_blocks(1, description, folder / "set", false, cast);
   expect_error<UsageError>([&] { collect(tag(), cast, description, folder / "set", resuming()); }, "not finite");
   EXPECT_EQ(folder.names(), Names{"set.partial"});
 }

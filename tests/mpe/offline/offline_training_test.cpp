@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "games/ended_work.h"
 #include "games/expect_error.h"
 #include "mpe/data/small_data_set.h"
 
@@ -290,12 +291,13 @@ const DataSet& small_data() {
   return data;
 }
 
-OfflineTraining tiny_transformer(std::uint64_t steps) {
+OfflineTraining tiny_transformer(std::uint64_t steps, unsigned threads = 1) {
   TransformerSettings settings;
   settings.hidden = 8;
   settings.layers = 1;
   settings.context = 3;
   settings.batch = 4;
+  settings.threads = threads;
   auto learner = std::make_unique<TransformerLearner>(small_data(), settings);
   auto description = learner->description();
   return {std::move(learner), std::move(description), steps};
@@ -303,25 +305,29 @@ OfflineTraining tiny_transformer(std::uint64_t steps) {
 
 TEST(ResumableTraining, GoesOnInItsFolderWhereverItWasInterrupted) {
   auto whole = tiny_transformer(9);
-  EXPECT_TRUE(train(whole, {}));
+  train(whole, {});
   EXPECT_FALSE(resume(whole, {}));  // without a folder there is nothing to go on with
   for (std::uint64_t at = 0; at <= 9; ++at) {
     const test::Folder folder;
     {
       sct::CheckpointFiles files(folder / "run");
       auto training = tiny_transformer(9);
-      TrainingWatch watch{&files, 4, [&] { return training.steps() == at; }};
+      const TrainingWatch watch{&files, 4};
       EXPECT_FALSE(resume(training, watch));
-      EXPECT_EQ(train(training, watch), at == 9);
+      const Progress progress{nullptr, [&] { return training.steps() == at; }};
+      if (at == 9)
+        train(training, watch, progress);  // nobody asks when all is done
+      else
+        EXPECT_THROW(train(training, watch, progress), Cancelled);
       EXPECT_EQ(training.steps(), at);
     }
     sct::CheckpointFiles files(folder / "run");
     auto training = tiny_transformer(9);
     std::vector<double> shares;
-    const TrainingWatch watch{&files, 4, nullptr, [&](double share) { shares.push_back(share); }};
+    const TrainingWatch watch{&files, 4};
     EXPECT_EQ(resume(training, watch), at > 0);
     EXPECT_EQ(training.steps(), at);
-    EXPECT_TRUE(train(training, watch));
+    train(training, watch, [&](double share) { shares.push_back(share); });
     EXPECT_EQ(training.checkpoint(), whole.checkpoint()) << at;
     EXPECT_EQ(shares.size(), 9 - at);
     EXPECT_TRUE(at == 9 || shares.back() == 1);
@@ -329,22 +335,46 @@ TEST(ResumableTraining, GoesOnInItsFolderWhereverItWasInterrupted) {
   }
 }
 
+// Whatever ends a training: its folder has it as it stands, whole, and it goes on from there.
+TEST(ResumableTrainingThreads, EndsAsItsProgressWishes) {
+  auto whole = tiny_transformer(9);
+  train(whole, {});
+  for (const unsigned threads : {1U, 4U})
+    folk::test::expect_ends([&](const Progress& progress) {
+      const test::Folder folder;
+      sct::CheckpointFiles files(folder / "run");
+      const TrainingWatch watch{&files, 4};
+      auto training = tiny_transformer(9, threads);
+      try {
+        train(training, watch, progress);
+      } catch (...) {
+        auto again = tiny_transformer(9, threads);
+        EXPECT_EQ(resume(again, watch), training.steps() > 0);
+        EXPECT_EQ(again.steps(), training.steps());
+        EXPECT_EQ(again.checkpoint(), training.checkpoint());
+        train(again, watch);
+        EXPECT_EQ(again.checkpoint(), whole.checkpoint());
+        throw;
+      }
+      EXPECT_EQ(training.checkpoint(), whole.checkpoint());
+    });
+}
+
 TEST(ResumableTraining, KeepsTheRunEverySoManySteps) {
   const test::Folder folder;
   sct::CheckpointFiles files(folder / "run");
   auto training = counting(10);
   std::vector<std::string> kept;
-  const TrainingWatch watch{&files, 4, [&] {
-                              if (!files.checkpoints().empty()) {
-                                const auto newest = files.checkpoints().back().filename().string();
-                                if (kept.empty() || kept.back() != newest) kept.push_back(newest);
-                              }
-                              return false;
-                            }};
-  EXPECT_TRUE(train(training, watch));
+  const TrainingWatch watch{&files, 4};
+  train(training, watch, [&](double) {
+    if (!files.checkpoints().empty()) {
+      const auto newest = files.checkpoints().back().filename().string();
+      if (kept.empty() || kept.back() != newest) kept.push_back(newest);
+    }
+  });
   EXPECT_EQ(kept, (std::vector<std::string>{"step-4.checkpoint", "step-8.checkpoint"}));
   EXPECT_EQ(files.checkpoints().back().filename(), "step-10.checkpoint");
-  EXPECT_TRUE(train(training, watch));  // there is nothing left to do
+  train(training, watch);  // there is nothing left to do
   EXPECT_EQ(files.checkpoints().size(), 2U);
 }
 
@@ -352,17 +382,17 @@ TEST(ResumableTraining, GoesBackToTheCheckpointBeforeADamagedOne) {
   const test::Folder folder;
   sct::CheckpointFiles files(folder / "run");
   auto first = counting(10);
-  EXPECT_TRUE(train(first, {&files, 4}));
+  train(first, {&files, 4});
   ASSERT_EQ(files.checkpoints().size(), 2U);
   std::ofstream(files.checkpoints().back()) << "damaged";
   std::vector<std::string> notes;
   auto again = counting(10);
-  const TrainingWatch watch{&files, 4, nullptr, nullptr, [&](const std::string& note) { notes.push_back(note); }};
+  const TrainingWatch watch{&files, 4, [&](const std::string& note) { notes.push_back(note); }};
   EXPECT_TRUE(resume(again, watch));
   EXPECT_EQ(again.steps(), 8U);
   ASSERT_EQ(notes.size(), 1U);
   EXPECT_NE(notes[0].find("step-10.checkpoint: no checkpoint"), std::string::npos) << notes[0];
-  EXPECT_TRUE(train(again, watch));
+  train(again, watch);
   EXPECT_EQ(again.checkpoint(), first.checkpoint());
   auto other = counting(10, "what = counting\nseed = 2\n");
   expect_error<UsageError>([&] { resume(other, watch); }, "seed = 1 there, 2 here");

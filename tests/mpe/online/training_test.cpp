@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "games/ended_work.h"
 #include "games/expect_error.h"
 #include "small_training.h"
 
@@ -57,6 +58,37 @@ TEST(OnlineTrainingThreads, ChangeNoBit) {
   auto three = training_of(settings);
   go_on(three, settings.episodes);
   EXPECT_TRUE(bytes_of(one) == bytes_of(three));
+}
+
+TEST(OnlineTrainingThreads, EndTheirEvaluationsAsTheirProgressWishes) {
+  auto settings = small_settings();
+  settings.evaluation_episodes = 300;
+  settings.episodes = 64 * 2;
+  auto whole = training_of(settings);
+  go_on(whole, settings.episodes);
+  for (const unsigned threads : {1U, 4U}) {
+    settings.threads = threads;
+    folk::test::expect_ends([&](const Progress& progress) {
+      auto training = training_of(settings);
+      training.evaluate();
+      training.round();
+      const auto before = bytes_of(training);
+      try {
+        training.evaluate(progress);
+      } catch (...) {
+        EXPECT_EQ(training.history().size(), 1U);
+        EXPECT_TRUE(bytes_of(training) == before);
+        throw;
+      }
+      EXPECT_EQ(training.history().size(), 2U);
+    });
+  }
+  // The run that goes on becomes what it would have been.
+  auto training = training_of(settings);
+  EXPECT_THROW(training.evaluate([](double) { throw folk::test::Enough(); }), folk::test::Enough);
+  EXPECT_TRUE(training.evaluation_due());
+  go_on(training, settings.episodes);
+  EXPECT_TRUE(bytes_of(training) == bytes_of(whole));
 }
 
 TEST(OnlineTraining, EachSettingIsAnotherRun) {

@@ -278,7 +278,7 @@ TEST(RosterPlay, ScoresAsTheTournamentDoes) {
   for (const auto& guest : guests) entrants.push_back(guest);
   TournamentSettings settings;
   settings.criterion = sampling.criterion;
-  const Tournament tournament(entrants, roster.size(), settings);
+  const auto tournament = play_tournament(entrants, roster.size(), settings);
   for (std::size_t g = 0; g < guests.size(); ++g) {
     double total = 0;
     for (std::size_t i = 0; i < roster.size(); ++i) {

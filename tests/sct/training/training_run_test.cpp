@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "games/ended_work.h"
 #include "games/expect_error.h"
 
 namespace folk::sct {
@@ -58,12 +59,10 @@ TrainingRun small_run(std::uint64_t steps = 10, unsigned threads = 1, std::strin
   return {settings, small_settings(threads), std::move(lessons), roster, record, std::move(teacher)};
 }
 
-bool never() { return false; }
-
 void go_on(TrainingRun& run, std::uint64_t to) {
   while (run.steps() < to) {
     run.step();
-    if (run.evaluation_due()) run.evaluate(never);
+    if (run.evaluation_due()) run.evaluate();
   }
 }
 
@@ -141,11 +140,38 @@ TEST(TrainingRun, AnEvaluationThatIsStoppedHasNotBeen) {
   for (int i = 0; i < 4; ++i) run.step();
   const auto before = checkpoint_bytes(run.checkpoint());
   int asked = 0;
-  EXPECT_FALSE(run.evaluate([&] { return ++asked == 2; }));
+  EXPECT_THROW(run.evaluate({nullptr, [&] { return ++asked == 2; }}), Cancelled);
   EXPECT_EQ(checkpoint_bytes(run.checkpoint()), before);
   EXPECT_TRUE(run.evaluation_due());
-  EXPECT_TRUE(run.evaluate(never));
+  run.evaluate();
   EXPECT_FALSE(run.evaluation_due());
+}
+
+// Whatever ends an evaluation: a checkpoint is whole, and the run that goes on with it becomes what it would have been.
+TEST(TrainingRunThreads, EndTheirEvaluationsAsTheirProgressWishes) {
+  const auto whole = whole_run();
+  for (const unsigned threads : {1U, 4U})
+    test::expect_ends([&](const Progress& progress) {
+      auto run = small_run(10, threads);
+      for (int i = 0; i < 4; ++i) run.step();
+      const auto before = checkpoint_bytes(run.checkpoint());
+      try {
+        run.evaluate(progress);
+      } catch (...) {
+        EXPECT_TRUE(run.evaluation_due());
+        EXPECT_EQ(checkpoint_bytes(run.checkpoint()), before);
+        auto other = small_run(10, threads);
+        other.restore(parse_checkpoint(before, "saved"));
+        for (auto* goes_on : {&run, &other}) {
+          ASSERT_TRUE(goes_on->evaluation_due());
+          goes_on->evaluate();
+          go_on(*goes_on, 10);
+          EXPECT_EQ(policy_bytes(goes_on->policy()), whole);
+        }
+        throw;
+      }
+      EXPECT_EQ(run.history().size(), 1U);
+    });
 }
 
 TEST(TrainingRun, RefusesTheCheckpointsOfOtherRuns) {
