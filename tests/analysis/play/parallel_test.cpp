@@ -37,6 +37,34 @@ TEST(ParallelThreads, RethrowAndStop) {
   EXPECT_LT(begun, 100'000);
 }
 
+/// What is thrown when both of two pieces throw, the one that is named after the other.
+std::string thrown_when_last_is(std::size_t last) {
+  std::atomic<int> begun{0};
+  std::atomic<bool> other_threw{false};
+  try {
+    parallel_for(2, 2, [&](std::size_t i, unsigned) {
+      ++begun;
+      while (begun < 2) std::this_thread::yield();
+      if (i == last) {
+        while (!other_threw) std::this_thread::yield();
+      } else {
+        other_threw = true;
+      }
+      throw std::runtime_error(std::to_string(i));
+    });
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "nothing";
+}
+
+TEST(ParallelThreads, RethrowWhatTheEarliestPieceThrew) {
+  for (int run = 0; run < 50; ++run) {
+    EXPECT_EQ(thrown_when_last_is(0), "0");
+    EXPECT_EQ(thrown_when_last_is(1), "0");
+  }
+}
+
 TEST(ParallelThreads, EndAsTheirProgressWishes) {
   for (const unsigned threads : {1U, 4U})
     test::expect_ends([&](const Progress& progress) {
