@@ -1,3 +1,4 @@
+#include <folk/sct/data/recorded_play.h>
 #include <folk/sct/policy/belief_effect.h>
 #include <folk/sct/policy/sct_player.h>
 #include <folk/sct/training/aggregation.h>
