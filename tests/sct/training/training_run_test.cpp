@@ -126,6 +126,30 @@ TEST(TrainingRun, GoesOnWithWhatItsTeacherHasLabelled) {
   }
 }
 
+TEST(TrainingRun, EachAggregationDrawsItsOwnSlips) {
+  RunSettings settings;
+  settings.steps = 2;
+  settings.targets = {20};
+  settings.validation.criterion = Criterion::finite(rounds);
+  settings.aggregate_every = 1;
+  settings.aggregate_repetitions = 3;
+  settings.aggregate_slip = 0.5;
+  auto training = small_settings();
+  training.optimiser.learning_rate = 0;  // the same policy plays each time
+  const auto roster = Registry::standard().roster("tit_for_tat,all_d");
+  std::vector<Lesson> lessons;
+  for (const auto& trajectory : tournament_data(roster, {}, rounds)) lessons.push_back(imitation(trajectory));
+  TrainingRun run(settings, training, std::move(lessons), roster, {},
+                  std::make_shared<const BayesTeacher>(roster, Payoffs{}, rounds, 20));
+  run.step();
+  run.step();
+  const auto added = run.checkpoint().added;
+  const std::size_t opponents = roster.size();
+  const std::size_t each = opponents * (1 + settings.aggregate_repetitions);  // first those without slips
+  ASSERT_EQ(added.size(), 2 * each);
+  for (std::size_t m = 0; m < each; ++m) EXPECT_EQ(added[m].own == added[each + m].own, m < opponents) << "match " << m;
+}
+
 TEST(TrainingRun, ThreadsChangeNothing) {
   auto first = small_run(10, 2);
   go_on(first, 5);
