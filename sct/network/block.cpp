@@ -61,6 +61,14 @@ void gather(const Matrix<S>& from, const std::vector<Index>& rows, Matrix<S>& to
   for (std::size_t i = 0; i < rows.size(); ++i) to.row(index(i)) = from.row(rows[i]);
 }
 
+/// The rows of kv, as many of each window, behind those of the tokens before.
+template <class S>
+void keep_keys(const Matrix<S>& kv, const TokenRows& rows, const KeptKeys<S>& kept) {
+  const Index added = kv.rows() / index(rows.windows());
+  for (std::size_t w = 0; w < rows.windows(); ++w)
+    kept.kv.middleRows(rows.first_token[w] + kept.before, added) = kv.middleRows(index(w) * added, added);
+}
+
 }  // namespace
 
 BlockTensors::BlockTensors(const ParameterLayout& layout, std::size_t layer) {
@@ -81,7 +89,7 @@ BlockTensors::BlockTensors(const ParameterLayout& layout, std::size_t layer) {
 
 template <class S>
 void block_forward(const BlockTensors& tensors, const S* parameters, const AttentionShape& shape, Matrix<S>& x,
-                   BlockTape<S>& tape, BlockScratch<S>& scratch) {
+                   BlockTape<S>& tape, BlockScratch<S>& scratch, const KeptKeys<S>* kept) {
   const auto& rows = shape.rows;
   auto& room = scratch.room(rows);
   const Index h = x.cols();
@@ -95,27 +103,40 @@ void block_forward(const BlockTensors& tensors, const S* parameters, const Atten
   const auto weights = as_matrix(parameters, tensors.attention);
   const auto bias = as_row(parameters, tensors.attention_bias);
   tape.q.resize(rows.queries(), h);
-  tape.kv.resize(rows.tokens(), 2 * h);
+  tape.kv.resize(tape.normal_1.rows(), 2 * h);
   set_product(tape.q, operand(rows.all ? tape.normal_1 : tape.normal_1_read), operand(weights.leftCols(h)));
   tape.q.rowwise() += bias.head(h);
   set_product(tape.kv, operand(tape.normal_1), operand(weights.rightCols(2 * h)));
   tape.kv.rowwise() += bias.tail(2 * h);
-  attend(shape, tape.q, tape.kv, tape.attention, tape.context);
+  if (kept != nullptr) keep_keys(tape.kv, rows, *kept);
+  attend(shape, tape.q, kept != nullptr ? kept->kv : tape.kv, tape.attention, tape.context);
 
-  auto& out = room.read;
-  out.resize(rows.queries(), h);
-  set_product(out, operand(tape.context), operand(as_matrix(parameters, tensors.projection)));
-  keep_rows(shape, projection_site, h, tape.keep_projection);
-  add_dropped(x, out, as_row(parameters, tensors.projection_bias), shape.dropout, tape.keep_projection);
+  /// x += dropped(y * weight + bias)
+  const auto add = [&](const Matrix<S>& y, const Tensor& weight, const Tensor& y_bias, std::size_t site,
+                       std::vector<std::uint8_t>& keep) {
+    if (kept != nullptr) {
+      // Straight onto x, which is faster. Training adds a finished product, without dropout too: where a sum has more
+      // terms than a panel of gemm.cpp the last bits differ, and what was played and trained is to remain so.
+      add_product(x, operand(y), operand(as_matrix(parameters, weight)));
+      x.rowwise() += as_row(parameters, y_bias);
+      return;
+    }
+    room.branch.resize(rows.queries(), h);
+    set_product(room.branch, operand(y), operand(as_matrix(parameters, weight)));
+    keep_rows(shape, site, h, keep);
+    add_dropped(x, room.branch, as_row(parameters, y_bias), shape.dropout, keep);
+  };
+  add(tape.context, tensors.projection, tensors.projection_bias, projection_site, tape.keep_projection);
 
-  layer_norm(x, parameters + tensors.norm_2_gain.offset, parameters + tensors.norm_2_bias.offset, tape.norm_2,
-             tape.normal_2);
+  // At play the first normalisation's room, still in the cache, serves the second too.
+  const bool again = kept != nullptr && rows.all;
+  auto& normal_2 = again ? tape.normal_1 : tape.normal_2;
+  layer_norm(x, parameters + tensors.norm_2_gain.offset, parameters + tensors.norm_2_bias.offset,
+             again ? tape.norm_1 : tape.norm_2, normal_2);
   tape.inner.resize(rows.queries(), 4 * h);
-  set_product(tape.inner, operand(tape.normal_2), operand(as_matrix(parameters, tensors.inner)));
+  set_product(tape.inner, operand(normal_2), operand(as_matrix(parameters, tensors.inner)));
   tape.inner = (tape.inner.rowwise() + as_row(parameters, tensors.inner_bias)).cwiseMax(S(0));
-  set_product(out, operand(tape.inner), operand(as_matrix(parameters, tensors.outer)));
-  keep_rows(shape, outer_site, h, tape.keep_outer);
-  add_dropped(x, out, as_row(parameters, tensors.outer_bias), shape.dropout, tape.keep_outer);
+  add(tape.inner, tensors.outer, tensors.outer_bias, outer_site, tape.keep_outer);
 }
 
 template <class S>
@@ -127,7 +148,7 @@ void block_backward(const BlockTensors& tensors, const S* parameters, const Atte
 
   auto& d_out = room.d_out;
   auto& d_inner = room.d_inner;
-  auto& d_read = room.read;
+  auto& d_read = room.branch;
   drop_gradient(dx, shape.dropout, tape.keep_outer, d_out);
   add_product(as_matrix(gradient, tensors.outer), transposed(tape.inner), operand(d_out));
   add_rows(as_row(gradient, tensors.outer_bias), d_out);
@@ -175,9 +196,9 @@ void block_backward(const BlockTensors& tensors, const S* parameters, const Atte
 }
 
 template void block_forward(const BlockTensors&, const float*, const AttentionShape&, Matrix<float>&, BlockTape<float>&,
-                            BlockScratch<float>&);
+                            BlockScratch<float>&, const KeptKeys<float>*);
 template void block_forward(const BlockTensors&, const double*, const AttentionShape&, Matrix<double>&,
-                            BlockTape<double>&, BlockScratch<double>&);
+                            BlockTape<double>&, BlockScratch<double>&, const KeptKeys<double>*);
 template void block_backward(const BlockTensors&, const float*, const AttentionShape&, const BlockTape<float>&,
                              Matrix<float>&, float*, BlockScratch<float>&);
 template void block_backward(const BlockTensors&, const double*, const AttentionShape&, const BlockTape<double>&,

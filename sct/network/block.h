@@ -1,5 +1,6 @@
 #pragma once
-// One pre-norm block of the decoder: x += attention(norm(x)), x += mlp(norm(x)); forward and backward.
+// One pre-norm block of the decoder: x += attention(norm(x)), x += mlp(norm(x)); forward, in training and at play, and
+// backward.
 
 #include <folk/sct/network/attention.h>
 #include <folk/sct/network/layer_norm.h>
@@ -40,7 +41,7 @@ struct BlockTape {
 template <class S>
 struct BlockScratch {
   struct Room {
-    Matrix<S> read;      ///< [queries, h]
+    Matrix<S> branch;    ///< what attention or the mlp adds to x, then the gradient of what it reads  [queries, h]
     Matrix<S> d_out;     ///< [queries, h]
     Matrix<S> d_inner;   ///< [queries, 4h]
     Matrix<S> d_kv;      ///< [tokens, 2h]
@@ -52,10 +53,19 @@ struct BlockScratch {
   Room& room(const TokenRows& rows) { return rooms[rows.all ? 0 : 1]; }
 };
 
-/// x [tokens, h] becomes [queries, h].
+/// Keys and values that are kept from token to token at play.
+template <class S>
+struct KeptKeys {
+  Matrix<S>& kv;  ///< each window's from its first_token on  [rows.tokens(), 2h]
+  Index before;   ///< how many tokens of each window they are of so far
+};
+
+/// x [tokens, h] becomes [queries, h]. With `kept`, which is for play, x holds only the newest tokens of each window,
+/// as many of each: their keys and values are added to the kept ones, rows.row counts in x, and the tape is of no use
+/// for a backward pass.
 template <class S>
 void block_forward(const BlockTensors& tensors, const S* parameters, const AttentionShape& shape, Matrix<S>& x,
-                   BlockTape<S>& tape, BlockScratch<S>& scratch);
+                   BlockTape<S>& tape, BlockScratch<S>& scratch, const KeptKeys<S>* kept = nullptr);
 
 /// dx [queries, h] becomes [tokens, h]; the parameters' gradients are added to `gradient`.
 template <class S>

@@ -1,28 +1,31 @@
-#include <folk/sct/network/gemm.h>
 #include <folk/sct/network/stream.h>
+
+#include <utility>
 
 namespace folk::sct {
 namespace {
 
-/// In each of `windows` places of `capacity` rows the last `queries` of `tokens` tokens ask.
-TokenRows last_rows(std::size_t windows, Index capacity, Index tokens, Index queries) {
+/// In each of `windows` places of `capacity` rows the last `queries` of `tokens` tokens ask, of which `added` are new.
+TokenRows last_rows(std::size_t windows, Index capacity, Index tokens, Index added, Index queries) {
   TokenRows rows;
+  rows.all = queries == added;
   for (std::size_t w = 0; w <= windows; ++w) {
     rows.first_token.push_back(index(w) * capacity);
     rows.first_query.push_back(index(w) * queries);
   }
   for (std::size_t w = 0; w < windows; ++w)
-    for (Index q = 0; q < queries; ++q) rows.position.push_back(tokens - queries + q);
+    for (Index q = 0; q < queries; ++q) {
+      rows.position.push_back(tokens - queries + q);
+      rows.row.push_back((index(w) + 1) * added - queries + q);
+    }
   return rows;
 }
 
-/// The last `kept` rows of each window.
-void keep_last_rows(Matrix<float>& rows, std::size_t windows, Index kept) {
-  const Index each = rows.rows() / index(windows);
-  if (kept == each) return;
-  for (std::size_t w = 0; w < windows; ++w)  // downwards, so that nothing is overwritten before it is read
-    for (Index r = 0; r < kept; ++r) rows.row(index(w) * kept + r) = rows.row((index(w) + 1) * each - kept + r);
-  rows.conservativeResize(index(windows) * kept, Eigen::NoChange);
+/// What is of all added tokens in both tapes: one place in memory, and in the cache, does for both.
+void exchange_tokens(BlockTape<float>& a, BlockTape<float>& b) {
+  std::swap(a.norm_1, b.norm_1);
+  a.normal_1.swap(b.normal_1);
+  a.kv.swap(b.kv);
 }
 
 }  // namespace
@@ -40,42 +43,25 @@ Stream::Stream(const Network<float>& network, const float* parameters, std::size
 const Matrix<float>& Stream::append(const Matrix<float>& embedded, std::size_t asked) {
   static const Dropout none;
   const auto& architecture = network_.architecture();
-  const Index h = index(architecture.hidden);
   const Index added = embedded.rows() / index(windows_);
   const Index before = index(tokens_);
-  const auto at = [&](const Tensor& tensor) { return parameters_ + tensor.offset; };
-  x_ = embedded;
+  const auto every = last_rows(windows_, capacity_, before + added, added, added);
+  const auto wanted = last_rows(windows_, capacity_, before + added, added, index(asked));
+  auto& room = rooms_[added == 1 ? 0 : 1];
+  room.x = embedded;
   for (std::size_t l = 0; l < architecture.layers; ++l) {
-    const auto& block = network_.block(l);
-    const auto weights = as_matrix(parameters_, block.attention);
-    const auto bias = as_row(parameters_, block.attention_bias);
-    layer_norm(x_, at(block.norm_1_gain), at(block.norm_1_bias), norm_, normal_);
-    kv_.resize(x_.rows(), 2 * h);
-    set_product(kv_, operand(normal_), operand(weights.rightCols(2 * h)));
-    kv_.rowwise() += bias.tail(2 * h);
-    for (std::size_t w = 0; w < windows_; ++w)
-      keys_and_values_[l].middleRows(index(w) * capacity_ + before, added) = kv_.middleRows(index(w) * added, added);
-    if (l + 1 == architecture.layers) {  // nobody asks for the others any more
-      keep_last_rows(x_, windows_, index(asked));
-      keep_last_rows(normal_, windows_, index(asked));
-    }
-    q_.resize(x_.rows(), h);
-    set_product(q_, operand(normal_), operand(weights.leftCols(h)));
-    q_.rowwise() += bias.head(h);
-    const auto rows = last_rows(windows_, capacity_, before + added, x_.rows() / index(windows_));
-    attend({rows, architecture.heads, none, 0, 0}, q_, keys_and_values_[l], attention_, context_);
-    add_product(x_, operand(context_), operand(as_matrix(parameters_, block.projection)));
-    x_.rowwise() += as_row(parameters_, block.projection_bias);
-    layer_norm(x_, at(block.norm_2_gain), at(block.norm_2_bias), norm_, normal_);
-    inner_.resize(x_.rows(), 4 * h);
-    set_product(inner_, operand(normal_), operand(as_matrix(parameters_, block.inner)));
-    inner_ = (inner_.rowwise() + as_row(parameters_, block.inner_bias)).cwiseMax(0.0F);
-    add_product(x_, operand(inner_), operand(as_matrix(parameters_, block.outer)));
-    x_.rowwise() += as_row(parameters_, block.outer_bias);
+    const bool some_ask = l + 1 == architecture.layers && !wanted.all;  // nobody wants the other tokens any more
+    const KeptKeys<float> kept{keys_and_values_[l], before};
+    if (some_ask) exchange_tokens(room.early, room.last);
+    block_forward(network_.block(l), parameters_, {some_ask ? wanted : every, architecture.heads, none, 0, 0}, room.x,
+                  some_ask ? room.last : room.early, room.scratch, &kept);
+    if (some_ask) exchange_tokens(room.early, room.last);
   }
   tokens_ += static_cast<std::size_t>(added);
-  layer_norm(x_, at(network_.norm_gain()), at(network_.norm_bias()), norm_, hidden_);
-  return hidden_;
+  layer_norm(room.x, parameters_ + network_.norm_gain().offset, parameters_ + network_.norm_bias().offset, room.norm,
+             room.hidden);
+  if (!wanted.all) room.x.swap(room.scratch.room(wanted).x);  // back to the size that the next piece needs
+  return room.hidden;
 }
 
 }  // namespace folk::sct

@@ -4,6 +4,7 @@
 
 #include <folk/sct/network/network.h>
 
+#include <array>
 #include <vector>
 
 namespace folk::sct {
@@ -27,15 +28,22 @@ public:
   const Matrix<float>& append(const Matrix<float>& embedded, std::size_t asked = 1);
 
 private:
+  /// What one append() computes. A round's tokens and its belief token take turns at play: with a room for each no
+  /// matrix changes its size, which costs fresh pages of memory each time.
+  struct Room {
+    BlockTape<float> early, last;  ///< of the blocks where all added tokens ask, in turn, and of one where some do
+    BlockScratch<float> scratch;
+    LayerNormTape<float> norm;
+    Matrix<float> x, hidden;
+  };
+
   const Network<float>& network_;
   const float* parameters_;
   std::size_t windows_;
   std::size_t tokens_ = 0;
   Index capacity_;                              // tokens of a window
   std::vector<Matrix<float>> keys_and_values_;  // [windows * capacity, 2h] a layer
-  LayerNormTape<float> norm_;
-  AttentionTape<float> attention_;
-  Matrix<float> x_, normal_, kv_, q_, context_, inner_, hidden_;
+  std::array<Room, 2> rooms_;                   // for pieces of one token and for others
 };
 
 }  // namespace folk::sct
