@@ -29,8 +29,8 @@ endfunction()
 option(FOLK_PRECOMPILED_HEADERS "Read the headers of other libraries once a target" OFF)
 function(folk_precompile target)
   if(FOLK_PRECOMPILED_HEADERS)
-    target_precompile_headers(${target} PRIVATE ${ARGN} <boost/multiprecision/cpp_int.hpp> <fmt/format.h> <algorithm>
-                              <cmath> <functional> <map> <memory> <optional> <string> <vector>)
+    target_precompile_headers(${target} PRIVATE ${ARGN} <fmt/format.h> <algorithm> <cmath>
+                              <functional> <map> <memory> <optional> <string> <vector>)
   endif()
 endfunction()
 

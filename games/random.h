@@ -1,8 +1,7 @@
 #pragma once
 // Random numbers that depend on what they are for, not on when they are drawn.
 
-#include <Random123/philox.h>
-
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -47,17 +46,12 @@ public:
   bool chance(double p) { return uniform() < p; }
 
 private:
-  void refill() {
-    const Generator::ctr_type counter{{index_++, key_.pair, key_.repetition, key_.role}};
-    const Generator::key_type key{{key_.seed, 0}};
-    block_ = Generator{}(counter, key);
-    used_ = 0;
-  }
+  /// The next four numbers.
+  void refill();
 
-  using Generator = r123::Philox4x64;
   RandomKey key_;
   std::uint64_t index_ = 0;
-  Generator::ctr_type block_{};
+  std::array<std::uint64_t, 4> block_{};
   unsigned used_ = 4;
 };
 

@@ -4,14 +4,16 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <ostream>
+#include <stdexcept>
 
 namespace folk {
 namespace {
 
-using Integer = boost::multiprecision::cpp_int;
-
 // Of a number written out, and so of its numerator and denominator too.
 constexpr std::size_t most_digits = 400;
+// Holds every product of two words.
+__extension__ using Wide = __int128;
 // Decimals with more places are shown as fractions.
 constexpr std::size_t most_places = 100;
 
@@ -26,7 +28,7 @@ constexpr std::size_t most_places = 100;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Reads digits from the front of `rest`; leading zeros are dropped because they would say "octal" to the library.
+/// Reads digits from the front of `rest`.
 std::string take_digits(std::string_view& rest) {
   std::string digits;
   while (!rest.empty() && is_digit(rest.front())) {
@@ -36,10 +38,7 @@ std::string take_digits(std::string_view& rest) {
   return digits;
 }
 
-Integer to_integer(const std::string& digits) {
-  const auto first = digits.find_first_not_of('0');
-  return first == std::string::npos ? Integer(0) : Integer(digits.substr(first));
-}
+Integer to_integer(const std::string& digits) { return digits.empty() ? Integer() : Integer(digits); }
 
 bool take(std::string_view& rest, char c) {
   if (rest.empty() || rest.front() != c) return false;
@@ -47,9 +46,7 @@ bool take(std::string_view& rest, char c) {
   return true;
 }
 
-Integer power_of_ten(std::size_t exponent) {
-  return boost::multiprecision::pow(Integer(10), static_cast<unsigned>(exponent));
-}
+Integer power_of_ten(std::size_t exponent) { return pow(Integer(10), static_cast<unsigned>(exponent)); }
 
 /// The number above/below; `rest` is what follows it in `text`.
 Rational fraction(std::string_view text, const std::string& above, const std::string& below, std::string_view rest) {
@@ -85,10 +82,81 @@ Rational decimal(std::string_view text, const std::string& whole, std::string_vi
   // A denominator of 10^n has n + 1 digits.
   if (digits.size() + (shift > 0 ? zeros : 0) > most_digits || zeros >= most_digits) refuse_size(text);
   const Integer value = to_integer(digits);
-  return shift >= 0 ? Rational(Integer(value * power_of_ten(zeros))) : Rational(value, power_of_ten(zeros));
+  return shift >= 0 ? Rational(value * power_of_ten(zeros)) : Rational(value, power_of_ten(zeros));
 }
 
 }  // namespace
+
+// The arithmetic divides by common divisors before it multiplies (Knuth, The Art of Computer Programming 2, section
+// 4.5.1): factors stay small, and mostly within a word.
+
+Rational::Rational(const Integer& above, const Integer& below) {
+  if (below.is_zero()) throw std::domain_error("a fraction has 0 below the line");
+  const Integer divisor = below.sign() < 0 ? -gcd(above, below) : gcd(above, below);
+  numerator_ = above / divisor;
+  denominator_ = below / divisor;
+}
+
+std::string Rational::str() const {
+  return denominator_ == 1 ? numerator_.str() : numerator_.str() + "/" + denominator_.str();
+}
+
+Rational Rational::operator-() const { return {LowestTerms(), -numerator_, denominator_}; }
+
+/// a/b + c/d with the numerators added by `add`, or subtracted.
+template <class Add>
+Rational Rational::sum(const Rational& x, const Rational& y, Add add) {
+  const Integer& a = x.numerator_;
+  const Integer& b = x.denominator_;
+  const Integer& c = y.numerator_;
+  const Integer& d = y.denominator_;
+  if (b == d) {
+    const Integer above = add(a, c);
+    return b == 1 ? Rational(above) : Rational(above, b);
+  }
+  const Integer divisor = gcd(b, d);
+  if (divisor == 1) return {LowestTerms(), add(a * d, c * b), b * d};
+  const Integer rest = b / divisor;
+  const Integer above = add(a * (d / divisor), c * rest);
+  const Integer common = gcd(above, divisor);
+  return {LowestTerms(), above / common, rest * (d / common)};
+}
+
+Rational operator+(const Rational& a, const Rational& b) {
+  return Rational::sum(a, b, [](const Integer& x, const Integer& y) { return x + y; });
+}
+
+Rational operator-(const Rational& a, const Rational& b) {
+  return Rational::sum(a, b, [](const Integer& x, const Integer& y) { return x - y; });
+}
+
+/// a/b times c/d, both in lowest terms, b and d > 0.
+Rational Rational::product(const Integer& a, const Integer& b, const Integer& c, const Integer& d) {
+  if (b == 1 && d == 1) return a * c;
+  const Integer across = gcd(a, d);
+  const Integer back = gcd(c, b);
+  return {LowestTerms(), (a / across) * (c / back), (b / back) * (d / across)};
+}
+
+Rational operator*(const Rational& a, const Rational& b) {
+  return Rational::product(a.numerator_, a.denominator_, b.numerator_, b.denominator_);
+}
+
+Rational operator/(const Rational& a, const Rational& b) {
+  if (b.is_zero()) throw std::domain_error("a rational was divided by 0");
+  if (b.sign() > 0) return Rational::product(a.numerator_, a.denominator_, b.denominator_, b.numerator_);
+  return Rational::product(a.numerator_, a.denominator_, -b.denominator_, -b.numerator_);
+}
+
+std::strong_ordering operator<=>(const Rational& a, const Rational& b) {
+  if (a.denominator_ == b.denominator_) return a.numerator_ <=> b.numerator_;
+  if (a.sign() != b.sign()) return a.sign() <=> b.sign();
+  if (a.numerator_.fits_word() && a.denominator_.fits_word() && b.numerator_.fits_word() && b.denominator_.fits_word())
+    return Wide{a.numerator_.word()} * b.denominator_.word() <=> Wide{b.numerator_.word()} * a.denominator_.word();
+  return a.numerator_ * b.denominator_ <=> b.numerator_ * a.denominator_;
+}
+
+Rational abs(const Rational& value) { return value.sign() < 0 ? -value : value; }
 
 Rational parse_rational(std::string_view text) {
   std::string_view rest = text;
@@ -96,12 +164,12 @@ Rational parse_rational(std::string_view text) {
   if (!negative) take(rest, '+');
   const std::string whole = take_digits(rest);
   const Rational value = take(rest, '/') ? fraction(text, whole, take_digits(rest), rest) : decimal(text, whole, rest);
-  return negative ? Rational(-value) : value;
+  return negative ? -value : value;
 }
 
 std::string to_text(const Rational& value) {
-  const Integer above = numerator(value);
-  const Integer below = denominator(value);
+  const Integer& above = numerator(value);
+  const Integer& below = denominator(value);
   if (below == 1) return above.str();
   // A fraction ends as a decimal iff its denominator has no prime factor but 2 and 5.
   Integer rest = below;
@@ -110,7 +178,7 @@ std::string to_text(const Rational& value) {
   for (; rest % 2 == 0; rest /= 2) ++twos;
   for (; rest % 5 == 0; rest /= 5) ++fives;
   const std::size_t places = std::max(twos, fives);
-  const std::string as_fraction = above.str() + "/" + below.str();
+  const std::string as_fraction = value.str();
   if (rest != 1 || places > most_places) return as_fraction;
   const Integer scaled = abs(above) * power_of_ten(places) / below;
   std::string digits = scaled.str();
@@ -120,6 +188,8 @@ std::string to_text(const Rational& value) {
   return (above < 0 ? "-" : "") + digits;
 }
 
-double to_double(const Rational& value) { return value.convert_to<double>(); }
+double to_double(const Rational& value) { return nearest_quotient(numerator(value), denominator(value)); }
+
+std::ostream& operator<<(std::ostream& out, const Rational& value) { return out << value.str(); }
 
 }  // namespace folk

@@ -1,15 +1,80 @@
 #pragma once
 // Exact numbers: payoffs are kept as the decimal or fraction that a person wrote.
 
-#include <boost/multiprecision/cpp_int.hpp>
+#include <folk/games/integer.h>
+
+#include <compare>
+#include <concepts>
+#include <iosfwd>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace folk {
 
-/// An exact rational of unbounded size.
-using Rational =
-    boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
+/// An exact rational of unbounded size, always in lowest terms.
+class Rational {
+public:
+  Rational() = default;
+
+  template <std::integral T>
+  Rational(T value)  // NOLINT(google-explicit-constructor): every whole number is rational
+      : numerator_(value) {}
+  Rational(Integer value)  // NOLINT(google-explicit-constructor)
+      : numerator_(std::move(value)) {}
+
+  /// above / below. Throws std::domain_error when `below` is 0.
+  Rational(const Integer& above, const Integer& below);
+
+  const Integer& numerator() const& { return numerator_; }
+  Integer numerator() && { return std::move(numerator_); }
+  /// > 0.
+  const Integer& denominator() const& { return denominator_; }
+  Integer denominator() && { return std::move(denominator_); }
+
+  bool is_zero() const { return numerator_.is_zero(); }
+  /// -1, 0 or 1.
+  int sign() const { return numerator_.sign(); }
+
+  /// "3", "-5/4": a fraction, never a decimal.
+  std::string str() const;
+
+  Rational operator-() const;
+  Rational& operator+=(const Rational& other) { return *this = *this + other; }
+  Rational& operator-=(const Rational& other) { return *this = *this - other; }
+  Rational& operator*=(const Rational& other) { return *this = *this * other; }
+  Rational& operator/=(const Rational& other) { return *this = *this / other; }
+
+  friend Rational operator+(const Rational& a, const Rational& b);
+  friend Rational operator-(const Rational& a, const Rational& b);
+  friend Rational operator*(const Rational& a, const Rational& b);
+  /// Throws std::domain_error when `b` is 0.
+  friend Rational operator/(const Rational& a, const Rational& b);
+  friend bool operator==(const Rational& a, const Rational& b) {
+    return a.numerator_ == b.numerator_ && a.denominator_ == b.denominator_;
+  }
+  friend std::strong_ordering operator<=>(const Rational& a, const Rational& b);
+
+private:
+  struct LowestTerms {};
+  Rational(LowestTerms, Integer above, Integer below)
+      : numerator_(std::move(above)),
+        denominator_(std::move(below)) {}
+
+  template <class Add>
+  static Rational sum(const Rational& x, const Rational& y, Add add);
+  static Rational product(const Integer& a, const Integer& b, const Integer& c, const Integer& d);
+
+  Integer numerator_;
+  Integer denominator_ = 1;
+};
+
+inline const Integer& numerator(const Rational& value) { return value.numerator(); }
+inline Integer numerator(Rational&& value) { return std::move(value).numerator(); }
+inline const Integer& denominator(const Rational& value) { return value.denominator(); }
+inline Integer denominator(Rational&& value) { return std::move(value).denominator(); }
+
+Rational abs(const Rational& value);
 
 /// Reads "3", "-1.25", "2.5e-3" or "1/3" exactly.
 /// Throws UsageError on anything else, and on numbers of more than 400 digits once written out without an exponent
@@ -22,5 +87,7 @@ std::string to_text(const Rational& value);
 
 /// The nearest double.
 double to_double(const Rational& value);
+
+std::ostream& operator<<(std::ostream& out, const Rational& value);
 
 }  // namespace folk

@@ -8,18 +8,16 @@
 
 namespace folk {
 
-using boost::multiprecision::cpp_int;
-
 WholePayoffs whole_payoffs(const Payoffs& payoffs, const std::vector<Rational>& others) {
   const auto exact = payoffs.by_outcome();
-  cpp_int common = 1;
-  for (const auto& payoff : exact) common = lcm(common, cpp_int(denominator(payoff)));
-  for (const auto& payoff : others) common = lcm(common, cpp_int(denominator(payoff)));
+  Integer common = 1;
+  for (const auto& payoff : exact) common = lcm(common, denominator(payoff));
+  for (const auto& payoff : others) common = lcm(common, denominator(payoff));
   WholePayoffs whole;
-  whole.scale = common.convert_to<double>();
+  whole.scale = to_double(common);
   whole.exact_scale = Rational(common);
   for (std::size_t o = 0; o < 4; ++o) {
-    whole.by_outcome[o] = to_double(Rational(exact[o] * common));
+    whole.by_outcome[o] = to_double(exact[o] * common);
     whole.largest = std::max(whole.largest, std::abs(whole.by_outcome[o]));
   }
   if (!(whole.largest <= 0x1p53) || !std::isfinite(whole.scale))

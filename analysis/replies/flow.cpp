@@ -10,15 +10,14 @@
 namespace folk {
 namespace {
 
-using Integer = boost::multiprecision::cpp_int;
-
 /// Sum of rewards[i] (a/b)^i for first <= i < last, counted from i = first, times b^(last - first - 1).
 Integer scaled_sum(const std::vector<std::int64_t>& rewards, std::size_t first, std::size_t last, const Integer& a,
                    const Integer& b) {
   Integer sum = 0;
   Integer power = 1;  // b^(terms so far)
   for (std::size_t i = last; i-- > first;) {
-    sum = Integer(sum * a + rewards[i] * power);
+    sum *= a;
+    sum += rewards[i] * power;
     power *= b;
   }
   return sum;
@@ -121,7 +120,7 @@ Flow::Fraction Flow::discounted_sum(const Course& course) const {
   // cycle sum / (1 - d^L) = [sum b^(L-1)] b / (b^L - a^L); the rounds before it: [sum b^(n-1)] b / b^n.
   const Integer around = scaled_sum(course.rewards, before, course.rewards.size(), a, b) * b;
   const Integer lap = pow(b, exponent(length)) - pow(a, exponent(length));
-  const Integer ahead = before == 0 ? Integer(0) : Integer(scaled_sum(course.rewards, 0, before, a, b) * b);
+  const Integer ahead = before == 0 ? Integer(0) : scaled_sum(course.rewards, 0, before, a, b) * b;
   Integer above = ahead * lap + around * a_before;
   Integer below = b_before * lap * exact_scale_;
   if (criterion_.kind() == Criterion::Kind::discounted) {
@@ -139,7 +138,7 @@ Rational Flow::value(std::uint32_t state) const {
   const auto& cycle = cycles_[cycle_of_[state]];
   Integer sum = 0;
   for (const auto c : cycle) sum += whole(rewards_[c]);
-  return {sum, Integer(Integer(cycle.size()) * exact_scale_)};
+  return {sum, cycle.size() * exact_scale_};
 }
 
 /// Sum over these rounds alone, in the criterion's unit.
@@ -184,9 +183,9 @@ Flow::Fraction Flow::discounted_gain(std::uint32_t state, double reward, std::ui
   const Fraction lost = discounted_sum(course_from(next_[state]));
   const Rational d = criterion_.exact_continuation();
   const Integer a(numerator(d));
-  const Integer below = gained.below * lost.below * Integer(denominator(d));
+  const Integer below = gained.below * lost.below * denominator(d);
   const Integer later = a * (gained.above * lost.below - lost.above * gained.below);
-  return {Integer(now.above * below + later * now.below), Integer(now.below * below)};
+  return {now.above * below + later * now.below, now.below * below};
 }
 
 Rational Flow::gain(std::uint32_t state, double reward, std::uint32_t next) const {

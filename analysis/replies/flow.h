@@ -42,7 +42,6 @@ public:
   double doubt() const { return doubt_; }
 
 private:
-  using Integer = boost::multiprecision::cpp_int;
   struct Course {
     std::vector<std::int64_t> rewards;  // before the cycle, then once around it
     std::size_t cycle = 0;              // where it begins

@@ -13,9 +13,8 @@ namespace folk {
 namespace {
 
 Rational power(const Rational& base, std::size_t exponent) {
-  using boost::multiprecision::cpp_int;
   const auto n = static_cast<unsigned>(exponent);
-  return Rational(pow(cpp_int(numerator(base)), n), pow(cpp_int(denominator(base)), n));
+  return Rational(pow(numerator(base), n), pow(denominator(base), n));
 }
 
 }  // namespace

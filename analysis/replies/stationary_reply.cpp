@@ -4,15 +4,11 @@
 #include <folk/analysis/replies/stationary_reply.h>
 #include <folk/games/outcome.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
-
 #include <algorithm>
 #include <stdexcept>
 
 namespace folk {
 namespace {
-
-using Integer = boost::multiprecision::cpp_int;
 
 /// A problem without chance: each move in each state has one reward and one successor.
 class PureProblem {
@@ -117,7 +113,7 @@ ExactMeans evaluate(const PureProblem& problem, const std::vector<Move>& moves) 
         sum += reward(c);
         first = std::min(first, c);
       }
-      means.gain[first] = Rational(sum, Integer(length));
+      means.gain[first] = Rational(sum, length);
       means.bias[first] = 0;
       marks[first] = Mark::known;
       // The rest of the cycle is reached from `first` backwards, and then what leads to the cycle.
@@ -130,8 +126,7 @@ ExactMeans evaluate(const PureProblem& problem, const std::vector<Move>& moves) 
       walk.pop_back();
       const std::size_t after = next(t);
       means.gain[t] = means.gain[after];
-      means.bias[t] =
-          reward(t) * Integer(denominator(means.gain[t])) - Integer(numerator(means.gain[t])) + means.bias[after];
+      means.bias[t] = reward(t) * denominator(means.gain[t]) - numerator(means.gain[t]) + means.bias[after];
       marks[t] = Mark::known;
     }
   }
@@ -151,8 +146,8 @@ bool improve_mean(const PureProblem& problem, const ExactMeans& means, std::vect
     const Move instead = other(moves[s]);
     const auto after = problem.next(s, instead);
     if (means.gain[after] != means.gain[s]) continue;
-    const Integer bias = static_cast<std::int64_t>(problem.reward(s, instead)) * Integer(denominator(means.gain[s])) -
-                         Integer(numerator(means.gain[s])) + means.bias[after];
+    const Integer bias = static_cast<std::int64_t>(problem.reward(s, instead)) * denominator(means.gain[s]) -
+                         numerator(means.gain[s]) + means.bias[after];
     if (bias > means.bias[s]) {
       moves[s] = instead;
       better = true;

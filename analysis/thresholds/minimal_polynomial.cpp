@@ -140,7 +140,7 @@ Polynomial minimal_polynomial(const AlgebraicNumber& number) {
   const Polynomial known = without_roots_of_unity(squarefree_part(*number.polynomial()));
   unsigned size = 0;  // bits of the largest coefficient; those of a factor are not much longer (Mignotte's bound)
   for (const Integer& c : known.coefficients())
-    if (!c.is_zero()) size = std::max(size, static_cast<unsigned>(msb(Integer(abs(c)))) + 1);
+    size = std::max(size, static_cast<unsigned>(64 * c.words().size()));
   AlgebraicNumber fine = number;
   for (std::size_t degree = 2; degree < known.degree() && degree <= most_minimal_degree; ++degree) {
     const auto terms = static_cast<unsigned>(degree) + 1;

@@ -17,7 +17,7 @@ std::vector<Move> nearly_optimal(const ReplyDecisions& decisions, double d) {
     bool improved = false;
     for (std::uint32_t s = 0; s < moves.size(); ++s) {
       const Move change = other(moves[s]);
-      const double changed = decisions.payoff(s, change).convert_to<double>() + d * value[decisions.next(s, change)];
+      const double changed = to_double(decisions.payoff(s, change)) + d * value[decisions.next(s, change)];
       if (changed <= value[s] + 1e-9 * (1 + std::abs(value[s]))) continue;
       moves[s] = change;
       improved = true;

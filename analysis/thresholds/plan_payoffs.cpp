@@ -50,7 +50,7 @@ void PlanPayoffs::close_cycle(const std::vector<std::uint32_t>& cycle) {
 
 std::vector<double> PlanPayoffs::values(double d) const {
   std::vector<double> payoff(payoff_.size());
-  for (std::size_t i = 0; i < payoff.size(); ++i) payoff[i] = payoff_[i].convert_to<double>();
+  for (std::size_t i = 0; i < payoff.size(); ++i) payoff[i] = to_double(payoff_[i]);
   std::vector<double> value(payoff.size());
   for (const auto& cycle : cycles_) {
     double lap = 0;

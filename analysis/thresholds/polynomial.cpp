@@ -24,7 +24,7 @@ Residues residues(const Polynomial& p) {
   Residues result;
   result.reserve(p.coefficients().size());
   for (const Integer& c : p.coefficients()) {
-    const auto rest = static_cast<std::int64_t>(c % prime);
+    const auto rest = (c % prime).word();
     result.push_back(static_cast<std::uint64_t>(rest < 0 ? rest + static_cast<std::int64_t>(prime) : rest));
   }
   return result;
@@ -87,13 +87,13 @@ Polynomial primitive_remainder(const Polynomial& a, const Polynomial& b) {
 int sign_by_rounding(const std::vector<Integer>& coefficients, const Rational& d) {
   Integer sum = 1;
   for (const Integer& c : coefficients) sum += abs(c);
-  const auto size_of = [](const Integer& x) { return static_cast<unsigned>(msb(x)) + 1; };
+  const auto size_of = [](const Integer& x) { return static_cast<unsigned>(64 * x.words().size()); };
   const unsigned bits = size_of(denominator(d)) + size_of(sum) + 64;
   const Integer rounded = (numerator(d) << bits) / denominator(d);
   Integer value = 0;
   for (std::size_t i = coefficients.size(); i-- > 0;) {
     value *= rounded;
-    value >>= bits;
+    value /= Integer(1) << bits;
     value += coefficients[i] << bits;
   }
   // Each step errs by less than 2^-bits (sum + 2): `sum` bounds all values, and d is off by less than 2^-bits.

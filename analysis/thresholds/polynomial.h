@@ -3,15 +3,11 @@
 
 #include <folk/games/rational.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cstddef>
 #include <string>
 #include <vector>
 
 namespace folk {
-
-/// An exact integer of unbounded size; what Rational's numerators are made of.
-using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
 
 /// c0 + c1 d + c2 d^2 + ...
 class Polynomial {

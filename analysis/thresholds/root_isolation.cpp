@@ -68,7 +68,7 @@ bool drop_zero_roots(Coefficients& q) {
 std::pair<Stretch, Stretch> halves(Stretch whole) {
   // 2^n q(x / 2) for the lower half, and that at x + 1 for the upper one.
   const std::size_t n = whole.q.size() - 1;
-  for (std::size_t i = 0; i < n; ++i) whole.q[i] <<= n - i;
+  for (std::size_t i = 0; i < n; ++i) whole.q[i] <<= static_cast<unsigned>(n - i);
   Stretch upper{whole.q, whole.place * 2 + 1, whole.level + 1, false};
   shift_by_one(upper.q);
   upper.root_at_low = drop_zero_roots(upper.q);

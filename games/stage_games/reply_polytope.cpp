@@ -29,9 +29,9 @@ ReplyPolytope::ReplyPolytope(const RationalMatrix& a)
       cells_(rows_ + 1, std::vector<Integer>(columns_ + rows_ + 1)),
       basic_(rows_) {
   for (const auto& row : a)
-    for (const Rational& number : row) unit_ = boost::multiprecision::lcm(unit_, Integer(denominator(number)));
+    for (const Rational& number : row) unit_ = lcm(unit_, denominator(number));
   for (std::size_t i = 0; i < rows_; ++i) {
-    for (std::size_t j = 0; j < columns_; ++j) cells_[i][j] = numerator(Rational(a[i][j] * unit_));
+    for (std::size_t j = 0; j < columns_; ++j) cells_[i][j] = numerator(a[i][j] * unit_);
     cells_[i][columns_ + i] = 1;
     cells_[i].back() = unit_;
     basic_[i] = columns_ + i;

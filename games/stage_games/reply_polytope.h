@@ -41,8 +41,6 @@ public:
   std::vector<std::vector<Rational>> vertices(std::size_t most) const;
 
 private:
-  using Integer = boost::multiprecision::cpp_int;
-
   bool is_basic(std::size_t variable) const;
   /// The row whose variable becomes 0 first when the entering one grows.
   std::size_t leaving_row(std::size_t entering) const;

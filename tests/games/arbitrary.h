@@ -1,15 +1,38 @@
 #pragma once
 // Random values for property tests of the games.
 
+#include <folk/games/integer.h>
 #include <folk/games/rational.h>
 #include <folk/games/stage_game.h>
 #include <rapidcheck.h>
 
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace rc {
+
+/// Around the ends of what fits 32 and 64 bits, near 0, and of up to 256 bits.
+template <>
+struct Arbitrary<folk::Integer> {
+  static Gen<folk::Integer> arbitrary() {
+    const auto near = [](const folk::Integer& place) {
+      return gen::map(gen::inRange(-3, 4), [place](int offset) { return place + offset; });
+    };
+    const folk::Integer word = folk::Integer(1) << 63;
+    const folk::Integer half = folk::Integer(1) << 32;
+    const auto word_wide =
+        gen::map(gen::arbitrary<std::int64_t>(), [](std::int64_t value) { return folk::Integer(value); });
+    const auto long_one =
+        gen::apply([](const std::vector<std::uint64_t>& words,
+                      bool negative) { return folk::Integer::from_words(words, negative); },
+                   gen::resize(4, gen::container<std::vector<std::uint64_t>>(
+                                      gen::inRange<std::uint64_t>(0, std::numeric_limits<std::uint64_t>::max()))),
+                   gen::arbitrary<bool>());
+    return gen::oneOf(near(0), near(half), near(-half), near(word), near(-word), word_wide, long_one);
+  }
+};
 
 template <>
 struct Arbitrary<folk::Rational> {

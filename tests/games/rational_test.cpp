@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <sstream>
+#include <stdexcept>
 
 #include "games/arbitrary.h"
 #include "games/expect_error.h"
@@ -11,7 +14,27 @@
 namespace folk {
 namespace {
 
+using boost::multiprecision::cpp_rational;
 using test::expect_error;
+
+/// The rational of two numbers of any size.
+Rational quotient(const Integer& above, const Integer& below) {
+  RC_PRE(!below.is_zero());
+  return Rational(above, below);
+}
+
+/// The library's, which refuses 0 over a negative number.
+cpp_rational reference(const Integer& above, const Integer& below) {
+  const boost::multiprecision::cpp_int numerator(above.str());
+  const boost::multiprecision::cpp_int denominator(below.str());
+  return denominator < 0 ? cpp_rational(-numerator, -denominator) : cpp_rational(numerator, denominator);
+}
+
+void expect_same(const Rational& value, const cpp_rational& expected) {
+  RC_ASSERT(value.str() == expected.str());
+  RC_ASSERT(value.denominator() > 0);
+  RC_ASSERT(gcd(value.numerator(), value.denominator()) == 1);
+}
 
 TEST(Rational, ReadsExactly) {
   EXPECT_EQ(parse_rational("3"), Rational(3));
@@ -94,6 +117,69 @@ TEST(Rational, DoublesOfLargeFractions) {
   EXPECT_EQ(to_double(parse_rational(std::string(400, '9') + "/" + std::string(400, '9'))), 1.0);
   EXPECT_EQ(to_double(parse_rational("1/" + std::string(330, '3'))), 0.0);
   EXPECT_EQ(to_double(Rational(1, 3)), 1.0 / 3.0);
+}
+
+RC_GTEST_PROP(Rational, ArithmeticIsTheLibrarys,
+              (const Integer& a, const Integer& b, const Integer& c, const Integer& d)) {
+  const Rational x = quotient(a, b);
+  const Rational y = quotient(c, d);
+  const cpp_rational exact_x = reference(a, b);
+  const cpp_rational exact_y = reference(c, d);
+  expect_same(x, exact_x);
+  expect_same(x + y, exact_x + exact_y);
+  expect_same(x - y, exact_x - exact_y);
+  expect_same(x * y, exact_x * exact_y);
+  expect_same(-x, -exact_x);
+  expect_same(abs(x), abs(exact_x));
+  RC_ASSERT((x < y) == (exact_x < exact_y));
+  RC_ASSERT((x > y) == (exact_x > exact_y));
+  RC_ASSERT((x == y) == (exact_x == exact_y));
+  RC_ASSERT(x.sign() == exact_x.sign());
+  RC_ASSERT(x.is_zero() == (exact_x == 0));
+  RC_ASSERT(to_double(x) == exact_x.convert_to<double>());
+  if (y == 0) return;
+  expect_same(x / y, exact_x / exact_y);
+}
+
+RC_GTEST_PROP(Rational, ArithmeticWithCommonDenominatorsIsTheLibrarys, (const Integer& a, const Integer& c)) {
+  const auto number = rc::gen::inRange<std::int64_t>(1, 40);
+  const std::int64_t common = *number * (std::int64_t{1} << *rc::gen::inRange(0, 57));
+  const Integer b = Integer(common) * *number;
+  const Integer d = Integer(common) * *number;
+  const Rational x(a, b);
+  const Rational y(c, d);
+  expect_same(x + y, reference(a, b) + reference(c, d));
+  expect_same(x - y, reference(a, b) - reference(c, d));
+  RC_ASSERT((x < y) == (reference(a, b) < reference(c, d)));
+}
+
+RC_GTEST_PROP(Rational, ChangesInPlaceAreTheOperators, (const Rational& x, const Rational& y)) {
+  Rational changed = x;
+  RC_ASSERT((changed += y) == x + y);
+  RC_ASSERT((changed -= y) == x);
+  RC_ASSERT((changed *= y) == x * y);
+  if (y == 0) return;
+  RC_ASSERT((changed /= y) == x);
+  RC_ASSERT((changed += changed) == 2 * x);
+  RC_ASSERT((changed -= changed) == 0);
+}
+
+TEST(Rational, PartsOfATemporaryAreNotItsOwn) {
+  const Integer& above = numerator(Rational(Integer(1) << 100, 3));
+  const Integer& below = denominator(Rational(2, Integer(3) << 100));
+  EXPECT_EQ(above, Integer(1) << 100);
+  EXPECT_EQ(below, Integer(3) << 99);
+}
+
+TEST(Rational, RefusesToDivideByZero) {
+  EXPECT_THROW(Rational(1, 0), std::domain_error);
+  EXPECT_THROW(Rational(1) / Rational(0), std::domain_error);
+}
+
+TEST(Rational, IsShownAsAFraction) {
+  std::ostringstream out;
+  out << Rational(-5, 4) << ' ' << Rational(6, 3);
+  EXPECT_EQ(out.str(), "-5/4 2");
 }
 
 }  // namespace

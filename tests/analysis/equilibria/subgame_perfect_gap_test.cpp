@@ -121,8 +121,8 @@ TEST(SubgamePerfectGap, OverUpTo5RoundsIsTheLargestOverAllHistoriesIn1000RandomP
     double theirs = 0;
     by_all_histories(a, b, a.start(), b.start(), rounds, own);
     by_all_histories(b, a, b.start(), a.start(), rounds, theirs);
-    ASSERT_EQ(*first.exact, Rational(own)) << i;
-    ASSERT_EQ(*second.exact, Rational(theirs)) << i;
+    ASSERT_EQ(*first.exact, Rational(static_cast<std::int64_t>(own))) << i;
+    ASSERT_EQ(*second.exact, Rational(static_cast<std::int64_t>(theirs))) << i;
   }
 }
 

@@ -11,8 +11,7 @@ namespace {
 double sum(const PlanPayoffs& plan, std::uint32_t state, double d) {
   double total = 0;
   double weight = 1;
-  for (; weight > 1e-18; weight *= d, state = plan.next(state))
-    total += weight * plan.payoff(state).convert_to<double>();
+  for (; weight > 1e-18; weight *= d, state = plan.next(state)) total += weight * to_double(plan.payoff(state));
   return total;
 }
 
@@ -29,7 +28,7 @@ PlanPayoffs random_plan(RandomStream& random) {
 
 double value(const Polynomial& p, double d) {
   double total = 0;
-  for (std::size_t i = p.coefficients().size(); i-- > 0;) total = total * d + p.coefficients()[i].convert_to<double>();
+  for (std::size_t i = p.coefficients().size(); i-- > 0;) total = total * d + to_double(p.coefficients()[i]);
   return total;
 }
 
@@ -57,7 +56,7 @@ RC_GTEST_PROP(PlanPayoffs, AdvantagesHaveTheSignOfTheDiscountedDifference, ()) {
     const std::uint32_t then = other == &one ? one.next(0) : 0;
     const auto p = advantage({one, one.payoff(0), one.next(0)}, {*other, now, then}, 1000);
     RC_ASSERT(p.has_value());
-    const double difference = sum(one, 0, d) - now.convert_to<double>() - d * sum(*other, then, d);
+    const double difference = sum(one, 0, d) - to_double(now) - d * sum(*other, then, d);
     // The polynomial is the difference times a positive number of at most 1 / (1 - d).
     const double found = value(*p, d);
     if (std::abs(difference) < 1e-9)

@@ -98,7 +98,7 @@ TEST(PolicyFile, KeepsNumbersExactly) {
   t.final_belief_loss = std::numeric_limits<double>::denorm_min();
   t.final_action_loss = 0.1 + 0.2;
   t.seed = t.steps = std::numeric_limits<std::uint64_t>::max();
-  t.payoffs = {Rational(1) / 3, -2, Rational("12345678901234567890"), 4};  // no prisoner's dilemma
+  t.payoffs = {Rational(1) / 3, -2, parse_rational("12345678901234567890"), 4};  // no prisoner's dilemma
   const Policy back = parse_policy(policy_bytes(policy), "p.bin");
   EXPECT_EQ(back.parameters[0], policy.parameters[0]);
   EXPECT_TRUE(std::signbit(back.parameters[1]));
