@@ -14,7 +14,7 @@ function(folk_compile_options target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     # False alarms of GCC 12 in other people's headers: std::string (bug 105329), its own AVX-512 intrinsics under Eigen
     # (bug 105593) and Boost's cpp_int.
-    target_compile_options(${target} PRIVATE -Wno-restrict -Wno-maybe-uninitialized -Wno-uninitialized)
+    target_compile_options(${target} PRIVATE -Wno-restrict -Wno-stringop-overflow -Wno-maybe-uninitialized -Wno-uninitialized)
   endif()
   if(FOLK_WERROR)
     target_compile_options(${target} PRIVATE -Werror)
@@ -24,15 +24,36 @@ function(folk_compile_options target)
   endif()
 endfunction()
 
-# The sanitizers' builds read the large headers of others once a target. A release build does not: it would no longer see
-# that a file forgets an include of its own.
-option(FOLK_PRECOMPILED_HEADERS "Read the headers of other libraries once a target" OFF)
+# The large headers of others are read once a target. That a header includes all it needs is checked by itself:
+# tests/house/headers_alone.py.
+option(FOLK_PRECOMPILED_HEADERS "Read the headers of other libraries once a target" ${PROJECT_IS_TOP_LEVEL})
+
+# folk_precompile(TARGET HEADER...): those headers and the usual ones of the standard library.
+# folk_precompile(TARGET REUSE_FROM OTHER): what was read for OTHER, a target with the same options and definitions.
 function(folk_precompile target)
-  if(FOLK_PRECOMPILED_HEADERS)
-    target_precompile_headers(${target} PRIVATE ${ARGN} <fmt/format.h> <algorithm> <cmath>
-                              <functional> <map> <memory> <optional> <string> <vector>)
+  if(NOT FOLK_PRECOMPILED_HEADERS)
+    return()
+  endif()
+  if(ARGV1 STREQUAL "REUSE_FROM")
+    target_precompile_headers(${target} REUSE_FROM ${ARGV2})
+  else()
+    target_precompile_headers(${target} PRIVATE ${ARGN} <fmt/format.h> <algorithm> <cmath> <functional> <map> <memory>
+                              <optional> <string> <vector>)
   endif()
 endfunction()
+
+# A second build of the same source is a look-up; the two settings are what precompiled headers need.
+find_program(FOLK_CCACHE ccache)
+if(FOLK_CCACHE AND PROJECT_IS_TOP_LEVEL AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${FOLK_CCACHE})
+endif()
+
+# lld links in a fraction of the time.
+include(CheckLinkerFlag)
+check_linker_flag(CXX -fuse-ld=lld FOLK_HAS_LLD)
+if(FOLK_HAS_LLD AND PROJECT_IS_TOP_LEVEL)
+  add_link_options(-fuse-ld=lld)
+endif()
 
 # folk_library(games DEPENDS fmt::fmt): the library of this folder, folk::games, from all its sources, those in
 # its rooms too.
@@ -62,8 +83,8 @@ function(folk_program name)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
   add_executable(${name} ${sources})
   folk_compile_options(${name})
-  folk_precompile(${name} <boost/program_options.hpp> <nlohmann/json.hpp>)
   target_link_libraries(${name} PRIVATE folk_program_support)
+  folk_precompile(${name} REUSE_FROM folk_program_support)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
   if(FOLK_INSTALL)
     install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

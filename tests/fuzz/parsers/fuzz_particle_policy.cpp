@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "../mpe/players/safetensors_draft.h"
+#include "../../mpe/players/safetensors_draft.h"
 #include "fuzz.h"
 
 namespace {
