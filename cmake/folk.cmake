@@ -93,10 +93,15 @@ endfunction()
 
 function(folk_install_package)
   include(CMakePackageConfigHelpers)
+  set(FOLK_HAS_FLINT OFF)
+  if(TARGET Folk::flint)
+    set(FOLK_HAS_FLINT ON)
+  endif()
   configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/FolkConfig.cmake.in ${PROJECT_BINARY_DIR}/FolkConfig.cmake
                                 INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Folk)
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/FolkConfigVersion.cmake COMPATIBILITY SameMinorVersion)
   install(FILES ${PROJECT_BINARY_DIR}/FolkConfig.cmake ${PROJECT_BINARY_DIR}/FolkConfigVersion.cmake
+                ${PROJECT_SOURCE_DIR}/cmake/flint.cmake
           DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Folk)
   install(EXPORT FolkTargets NAMESPACE folk:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Folk)
 endfunction()

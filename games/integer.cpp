@@ -3,7 +3,6 @@
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
-#include <iterator>
 #include <numeric>
 #include <ostream>
 #include <stdexcept>
@@ -68,21 +67,6 @@ Integer::Integer(std::string_view digits) {
   if (digits.empty()) return;
   const cpp_int value{std::string(digits)};
   *this = Large::settled(negative ? cpp_int(-value) : value);
-}
-
-Integer Integer::from_words(const std::vector<std::uint64_t>& words, bool negative) {
-  cpp_int value;
-  if (!words.empty()) import_bits(value, words.begin(), words.end(), 64, false);
-  return Large::settled(negative ? cpp_int(-value) : value);
-}
-
-std::vector<std::uint64_t> Integer::words() const {
-  std::vector<std::uint64_t> words;
-  if (large_)
-    export_bits(cpp_int(abs(large_->value)), std::back_inserter(words), 64, false);
-  else if (word_ != 0)
-    words.push_back(size_of(word_));
-  return words;
 }
 
 std::string Integer::str() const { return large_ ? large_->value.str() : std::to_string(word_); }

@@ -9,7 +9,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 namespace folk {
 
@@ -28,9 +27,6 @@ public:
 
   /// Reads decimal digits with or without a minus sign. Throws std::invalid_argument on anything else.
   explicit Integer(std::string_view digits);
-
-  /// The number of these 64-bit digits, least first, for exchange with other libraries.
-  static Integer from_words(const std::vector<std::uint64_t>& words, bool negative);
 
   Integer(const Integer& other)
       : word_(other.word_),
@@ -55,9 +51,6 @@ public:
   /// True from -2^63 to 2^63 - 1: then `word` is the number.
   bool fits_word() const { return !large_; }
   std::int64_t word() const { return word_; }
-
-  /// The absolute value as 64-bit digits, least first; none for 0.
-  std::vector<std::uint64_t> words() const;
 
   bool is_zero() const { return !large_ && word_ == 0; }
   /// -1, 0 or 1.

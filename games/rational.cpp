@@ -158,6 +158,13 @@ std::strong_ordering operator<=>(const Rational& a, const Rational& b) {
 
 Rational abs(const Rational& value) { return value.sign() < 0 ? -value : value; }
 
+Rational simplest_between(const Rational& low, const Rational& high) {
+  const Integer whole = numerator(low) / denominator(low);
+  if (whole == low) return low;
+  if (whole + 1 <= high) return whole + 1;
+  return whole + 1 / simplest_between(1 / (high - whole), 1 / (low - whole));
+}
+
 Rational parse_rational(std::string_view text) {
   std::string_view rest = text;
   const bool negative = take(rest, '-');

@@ -76,6 +76,9 @@ inline Integer denominator(Rational&& value) { return std::move(value).denominat
 
 Rational abs(const Rational& value);
 
+/// The fraction of the smallest denominator in [low, high], 0 <= low < high (Stern-Brocot, by continued fractions).
+Rational simplest_between(const Rational& low, const Rational& high);
+
 /// Reads "3", "-1.25", "2.5e-3" or "1/3" exactly.
 /// Throws UsageError on anything else, and on numbers of more than 400 digits once written out without an exponent
 /// (of a fraction: above or below the line).

@@ -48,7 +48,7 @@ PairExamination examine_machines(const ExaminationQuestion& question, const Stra
   found.path = pair.path();
   if (!found.path)
     list_states(pair, found);
-  else if (own.whole() && theirs.whole())
+  else if (own.whole() && theirs.whole() && flint_available())
     found.thresholds =
         thresholds(*own.whole(), *theirs.whole(), question.payoffs, question.sides, {}, progress.part(0.5, 1));
   found.verdicts = judge_all(found.gaps, question.sides, question.epsilon_payoff);

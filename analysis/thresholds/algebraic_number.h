@@ -14,8 +14,7 @@ public:
   AlgebraicNumber(const Rational& value);  // NOLINT(google-explicit-constructor): every rational is algebraic
 
   /// The only root of `p` in the open interval (low, high): simple, and p does not vanish at the ends. A rational root
-  /// is recognised as one, always: of all fractions whose denominator divides p's leading coefficient at most one lies
-  /// in an interval short enough, and it is tried. Throws std::logic_error when p's signs at the ends are not opposite.
+  /// is recognised as one, always. Throws std::logic_error when p's signs at the ends are not opposite.
   AlgebraicNumber(std::shared_ptr<const Polynomial> p, const Rational& low, const Rational& high);
 
   bool is_rational() const { return polynomial_ == nullptr; }
@@ -24,8 +23,8 @@ public:
   const Rational& low() const { return low_; }
   const Rational& high() const { return high_; }
 
-  /// What an irrational number is a root of; may have other factors than the minimal polynomial.
-  const std::shared_ptr<const Polynomial>& polynomial() const { return polynomial_; }
+  /// Of an irrational number; primitive with a positive leading coefficient.
+  Polynomial minimal_polynomial() const { return irreducible_factor(*polynomial_, low_, high_); }
 
   /// Halves the isolating interval of an irrational number.
   void refine();
@@ -33,22 +32,17 @@ public:
   /// The nearest double.
   double nearest() const;
 
-  /// The sign of `p` at this number: -1, 0 or 1.
-  int sign_of(const Polynomial& p) const;
+  /// Exact: by refinement, equality of irrational numbers by the common factor of their polynomials.
+  friend std::strong_ordering operator<=>(const AlgebraicNumber& a, const AlgebraicNumber& b);
+  friend bool operator==(const AlgebraicNumber& a, const AlgebraicNumber& b) { return (a <=> b) == 0; }
 
 private:
   std::shared_ptr<const Polynomial> polynomial_;
   Rational low_;
   Rational high_;
-  int sign_at_low_ = 0;  // of the polynomial
 };
 
-/// Exact: by refinement, equality of irrational numbers by the common factor of their polynomials.
-std::strong_ordering operator<=>(const AlgebraicNumber& a, const AlgebraicNumber& b);
-inline bool operator==(const AlgebraicNumber& a, const AlgebraicNumber& b) { return (a <=> b) == 0; }
-
-/// A rational strictly between two numbers a < b, of few binary places where there is room. The place is a little below
-/// the middle and never a multiple of 1/32 when a coarse one fits, because the ends of such sets often are.
-Rational rational_between(AlgebraicNumber a, AlgebraicNumber b);
+/// The distinct roots of `p` (not 0) in (0, 1), ascending, their intervals disjoint.
+std::vector<AlgebraicNumber> roots_of(const Polynomial& p);
 
 }  // namespace folk

@@ -1,9 +1,10 @@
 #include <folk/analysis/thresholds/discount_set.h>
-#include <folk/analysis/thresholds/minimal_polynomial.h>
-#include <folk/analysis/thresholds/root_isolation.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
+#include <cmath>
+#include <cstdint>
 #include <set>
 #include <utility>
 
@@ -12,15 +13,6 @@ namespace {
 
 using End = DiscountSet::End;
 using Interval = DiscountSet::Interval;
-
-std::vector<AlgebraicNumber> roots_of(RootIsolation& isolation) {
-  const auto polynomial = std::make_shared<const Polynomial>(isolation.polynomial);
-  std::vector<AlgebraicNumber> roots;
-  for (const RootInterval& root : isolation.roots)
-    roots.push_back(root.low == root.high ? AlgebraicNumber(root.low)
-                                          : AlgebraicNumber(polynomial, root.low, root.high));
-  return roots;
-}
 
 /// The sign of p between two neighbouring roots or bounds; -1 when they are equal, as nothing is between them.
 int sign_between(const Polynomial& p, const AlgebraicNumber& a, const AlgebraicNumber& b) {
@@ -31,12 +23,13 @@ int sign_between(const Polynomial& p, const AlgebraicNumber& a, const AlgebraicN
   return p.sign_at(rational_between(a, b));
 }
 
-/// The closed intervals of [low, high] where p >= 0; `roots` are all of its roots there.
-std::vector<Interval> nonnegative(const Polynomial& p, const Rational& low, const Rational& high,
-                                  const std::vector<AlgebraicNumber>& roots, std::size_t constraint) {
+/// The closed intervals of [0, 1] where p >= 0.
+std::vector<Interval> nonnegative(const Polynomial& p, std::size_t constraint) {
+  const Rational low = 0;
+  const Rational high = 1;
+  const auto roots = roots_of(p);
   if (roots.empty()) {
-    const Rational middle = (low + high) / 2;
-    if (p.sign_at(middle) < 0) return {};
+    if (p.sign_at(Rational(1, 2)) < 0) return {};
     return {{End{low}, End{high}}};
   }
   std::vector<Interval> result;
@@ -67,9 +60,8 @@ bool DiscountSet::contains(const Rational& d) const {
 
 bool DiscountSet::cut(const Polynomial& p, std::size_t constraint) {
   if (empty() || p.is_zero()) return false;
-  RootIsolation isolation = isolate_roots(p, intervals_.front().low.at.low(), intervals_.back().high.at.high());
   DiscountSet other;
-  other.intervals_ = nonnegative(p, isolation.low, isolation.high, roots_of(isolation), constraint);
+  other.intervals_ = nonnegative(p, constraint);
   return intersect(other);
 }
 
@@ -120,6 +112,40 @@ bool DiscountSet::operator==(const DiscountSet& other) const {
   return std::equal(
       intervals_.begin(), intervals_.end(), other.intervals_.begin(), other.intervals_.end(),
       [](const Interval& a, const Interval& b) { return a.low.at == b.low.at && a.high.at == b.high.at; });
+}
+
+Rational rational_between(AlgebraicNumber a, AlgebraicNumber b) {
+  while (a.high() >= b.low()) {
+    a.refine();
+    b.refine();
+  }
+  const double near = 0.55 * to_double(a.high()) + 0.45 * to_double(b.low());
+  for (int places = 6; places <= 40; ++places) {
+    const auto odd = static_cast<std::int64_t>(std::ldexp(near, places)) | 1;
+    const Rational candidate(odd, std::int64_t{1} << places);
+    if (a.high() < candidate && candidate < b.low()) return candidate;
+  }
+  return (a.high() + b.low()) / 2;
+}
+
+std::string to_text(const AlgebraicNumber& number) {
+  if (number.is_rational()) return number.low().str();
+  const Polynomial minimal = number.minimal_polynomial();
+  const auto roots = roots_of(minimal);
+  for (unsigned places = 2;; ++places) {
+    const Integer scale = pow(10, places);
+    const auto floor = [&](const Rational& d) { return numerator(d) * scale / denominator(d); };
+    const auto below = [&](AlgebraicNumber root) {  // irrational: it ends strictly between two decimals
+      while (floor(root.low()) != floor(root.high())) root.refine();
+      return floor(root.low());
+    };
+    const Integer start = below(number);
+    if (std::count_if(roots.begin(), roots.end(), [&](const auto& root) { return below(root) == start; }) > 1) continue;
+    const auto decimal = [&](const Integer& place) {
+      return fmt::format("{}.{:0>{}}", (place / scale).str(), (place % scale).str(), places);
+    };
+    return fmt::format("root of {} in ({}, {})", to_text(minimal), decimal(start), decimal(start + 1));
+  }
 }
 
 std::string to_text(const DiscountSet& set) {

@@ -59,6 +59,14 @@ private:
   std::vector<Interval> intervals_;
 };
 
+/// A rational strictly between two numbers a < b, of few binary places where there is room. The place is a little below
+/// the middle and never a multiple of 1/32 when a coarse one fits, because the ends of such sets often are.
+Rational rational_between(AlgebraicNumber a, AlgebraicNumber b);
+
+/// "1/2", or "root of 3 d^2 + d - 1 in (0.43, 0.44)": the minimal polynomial and a decimal interval in which it has no
+/// other root.
+std::string to_text(const AlgebraicNumber& number);
+
 /// "[1/2, 1)", "(0, 1)", "(0, 1/3] or {1/2}", "never".
 std::string to_text(const DiscountSet& set);
 

@@ -1,244 +1,113 @@
 #include <folk/analysis/thresholds/polynomial.h>
 
-#include <algorithm>
-#include <cstdint>
-#include <optional>
+#include <flint/fmpz_poly.h>
+#include <flint/fmpz_poly_factor.h>
+
 #include <utility>
 
 namespace folk {
 namespace {
 
-using Residues = std::vector<std::uint64_t>;
+struct ThreadMemory {  // FLINT keeps some for each thread: it goes when the thread does
+  ~ThreadMemory() { flint_cleanup(); }
+};
 
-// A prime below 2^31, so that products of residues fit a word.
-constexpr std::uint64_t prime = 2'147'483'647U;
+/// FLINT's form of a polynomial. It lives within one call, so that none passes from thread to thread.
+struct Flint : fmpz_poly_struct {
+  explicit Flint(const std::vector<Integer>& coefficients = {}) {
+    thread_local const ThreadMemory memory;
+    fmpz_poly_init2(this, static_cast<slong>(coefficients.size()));
+    for (const Integer& c : coefficients) fmpz_set_str(coeffs + length++, c.str().c_str(), 10);
+    _fmpz_poly_normalise(this);
+  }
+  Flint& operator=(Flint&&) = delete;
+  ~Flint() { fmpz_poly_clear(this); }
+  const Flint* self() const { return this; }
+};
 
-std::uint64_t power_modulo(std::uint64_t base, std::uint64_t exponent) {
-  std::uint64_t result = 1;
-  for (; exponent != 0; exponent >>= 1U, base = base * base % prime)
-    if ((exponent & 1U) != 0) result = result * base % prime;
-  return result;
+Polynomial taken_from(const fmpz_poly_struct& poly) {
+  std::vector<Integer> coefficients;
+  for (const fmpz* c = poly.coeffs; c != poly.coeffs + poly.length; ++c) {
+    std::string digits(fmpz_sizeinbase(c, 10) + 2, '\0');
+    coefficients.emplace_back(fmpz_get_str(digits.data(), 10, c));
+  }
+  return Polynomial(std::move(coefficients));
 }
 
-Residues residues(const Polynomial& p) {
-  Residues result;
-  result.reserve(p.coefficients().size());
-  for (const Integer& c : p.coefficients()) {
-    const auto rest = (c % prime).word();
-    result.push_back(static_cast<std::uint64_t>(rest < 0 ? rest + static_cast<std::int64_t>(prime) : rest));
-  }
-  return result;
+/// Descartes' bound on the roots in (place, place + 1) / 2^level: the sign variations of (1 + x)^n p(1 / (1 + x)),
+/// where p(x) = q((x + place) / 2^level).
+int roots_bound(const Flint& q, const Integer& place, unsigned level) {
+  Flint p;
+  fmpz_poly_set(&p, &q);
+  _fmpz_poly_scale_2exp(p.coeffs, p.length, -static_cast<slong>(level));
+  fmpz_poly_taylor_shift(&p, &p, Flint({place, 1}).coeffs);
+  fmpz_poly_reverse(&p, &p, p.length);
+  fmpz_poly_taylor_shift(&p, &p, Flint({1}).coeffs);
+  int variations = 0;
+  int last = 0;
+  for (slong i = 0; i < p.length; ++i)
+    if (const int sign = fmpz_sgn(p.coeffs + i)) variations += std::exchange(last, sign) == -sign;
+  return variations;
 }
 
-/// a modulo b; b's last residue is not 0.
-void reduce(Residues& a, const Residues& b) {
-  const std::uint64_t inverse = power_modulo(b.back(), prime - 2);
-  while (a.size() >= b.size()) {
-    const std::uint64_t factor = a.back() * inverse % prime;
-    const std::size_t shift = a.size() - b.size();
-    for (std::size_t i = 0; i < b.size(); ++i) a[i + shift] = (a[i + shift] + (prime - factor) * b[i]) % prime;
-    a.pop_back();
-    while (!a.empty() && a.back() == 0) a.pop_back();
+/// Looks for the roots there; `q` is found.polynomial.
+void bisect(RootIsolation& found, const Flint& q, const Integer& place, unsigned level) {
+  const int bound = roots_bound(q, place, level);
+  if (bound == 0) return;
+  const Rational low(place, Integer(1) << level);
+  const Rational high(place + 1, Integer(1) << level);
+  if (bound == 1 && found.polynomial.crosses(low, high)) {
+    found.roots.emplace_back(low, high);
+    return;
   }
-}
-
-/// The greatest common divisor from its image modulo the prime, where that is enough: a common divisor whose degree is
-/// the image's is the greatest, because the image's degree is never too small when the prime divides neither leading
-/// coefficient. Primitive; nothing when the image's coefficients are not the true ones.
-std::optional<Polynomial> divisor_from_image(const Polynomial& a, const Polynomial& b) {
-  Residues x = residues(a);
-  Residues y = residues(b);
-  if (x.back() == 0 || y.back() == 0) return std::nullopt;
-  while (!y.empty()) {
-    reduce(x, y);
-    std::swap(x, y);
-  }
-  if (x.size() == 1) return Polynomial({1});
-  // The true leading coefficient divides both: scaled to their common divisor all coefficients are integers.
-  const std::uint64_t scale = residues(Polynomial({gcd(a.leading(), b.leading())})).front();
-  const std::uint64_t factor = power_modulo(x.back(), prime - 2) * scale % prime;
-  std::vector<Integer> lifted;
-  for (const std::uint64_t c : x) {
-    const auto residue = static_cast<std::int64_t>(c * factor % prime);
-    lifted.emplace_back(residue > static_cast<std::int64_t>(prime / 2) ? residue - static_cast<std::int64_t>(prime)
-                                                                       : residue);
-  }
-  const Polynomial candidate = Polynomial(std::move(lifted)).primitive_part();
-  if (exact_quotient(a, candidate) * candidate != a || exact_quotient(b, candidate) * candidate != b)
-    return std::nullopt;
-  return candidate;
-}
-
-/// A multiple of a modulo b, primitive.
-Polynomial primitive_remainder(const Polynomial& a, const Polynomial& b) {
-  std::vector<Integer> rest = a.coefficients();
-  const auto& divisor = b.coefficients();
-  while (rest.size() >= divisor.size()) {
-    const Integer top = rest.back();
-    const std::size_t shift = rest.size() - divisor.size();
-    for (Integer& c : rest) c *= divisor.back();
-    for (std::size_t i = 0; i < divisor.size(); ++i) rest[i + shift] -= top * divisor[i];
-    while (!rest.empty() && rest.back().is_zero()) rest.pop_back();
-  }
-  return Polynomial(std::move(rest)).primitive_part();
-}
-
-/// The sign at 0 < d < 1 by Horner's rule in binary fractions of fixed length; 0 when rounding leaves it open.
-int sign_by_rounding(const std::vector<Integer>& coefficients, const Rational& d) {
-  Integer sum = 1;
-  for (const Integer& c : coefficients) sum += abs(c);
-  const auto size_of = [](const Integer& x) { return static_cast<unsigned>(64 * x.words().size()); };
-  const unsigned bits = size_of(denominator(d)) + size_of(sum) + 64;
-  const Integer rounded = (numerator(d) << bits) / denominator(d);
-  Integer value = 0;
-  for (std::size_t i = coefficients.size(); i-- > 0;) {
-    value *= rounded;
-    value /= Integer(1) << bits;
-    value += coefficients[i] << bits;
-  }
-  // Each step errs by less than 2^-bits (sum + 2): `sum` bounds all values, and d is off by less than 2^-bits.
-  const Integer error = (sum + 2) * coefficients.size();
-  return abs(value) > error ? value.sign() : 0;
+  bisect(found, q, 2 * place, level + 1);
+  const Rational middle = (low + high) / 2;
+  if (found.polynomial.sign_at(middle) == 0) found.roots.emplace_back(middle, middle);
+  bisect(found, q, 2 * place + 1, level + 1);
 }
 
 }  // namespace
 
-Polynomial::Polynomial(std::vector<Integer> coefficients)
-    : coefficients_(std::move(coefficients)) {
-  trim();
-}
+bool flint_available() { return true; }
 
-void Polynomial::trim() {
-  while (!coefficients_.empty() && coefficients_.back().is_zero()) coefficients_.pop_back();
-}
-
-Polynomial Polynomial::operator-() const {
-  Polynomial result = *this;
-  for (Integer& c : result.coefficients_) c = -c;
-  return result;
-}
-
-Polynomial Polynomial::operator+(const Polynomial& other) const {
-  Polynomial result = *this;
-  if (result.coefficients_.size() < other.coefficients_.size()) result.coefficients_.resize(other.coefficients_.size());
-  for (std::size_t i = 0; i < other.coefficients_.size(); ++i) result.coefficients_[i] += other.coefficients_[i];
-  result.trim();
-  return result;
-}
-
-Polynomial Polynomial::operator-(const Polynomial& other) const { return *this + -other; }
-
-Polynomial Polynomial::operator*(const Polynomial& other) const {
-  if (is_zero() || other.is_zero()) return {};
-  std::vector<Integer> product(coefficients_.size() + other.coefficients_.size() - 1);
-  for (std::size_t i = 0; i < coefficients_.size(); ++i)
-    for (std::size_t j = 0; j < other.coefficients_.size(); ++j)
-      product[i + j] += coefficients_[i] * other.coefficients_[j];
-  return Polynomial(std::move(product));
-}
-
-Polynomial Polynomial::times_power(std::size_t k) const {
-  if (is_zero()) return {};
-  Polynomial result = *this;
-  result.coefficients_.insert(result.coefficients_.begin(), k, Integer(0));
-  return result;
-}
-
-Polynomial Polynomial::times_one_minus_power(std::size_t k) const { return *this - times_power(k); }
-
-Polynomial Polynomial::derivative() const {
-  std::vector<Integer> result;
-  for (std::size_t i = 1; i < coefficients_.size(); ++i) result.push_back(coefficients_[i] * i);
-  return Polynomial(std::move(result));
-}
-
-Polynomial Polynomial::primitive_part() const {
-  Integer content = 0;
-  for (const Integer& c : coefficients_) {
-    content = gcd(content, c);
-    if (content == 1) return *this;
-  }
-  Polynomial result = *this;
-  for (Integer& c : result.coefficients_) c /= content;
-  return result;
-}
-
-Polynomial Polynomial::reduced_on_unit_interval() const {
-  const auto first = std::find_if(coefficients_.begin(), coefficients_.end(), [](const Integer& c) { return c != 0; });
-  std::vector<Integer> rest(first, coefficients_.end());
-  while (!rest.empty()) {
-    // p / (1 - d) has the partial sums of p's coefficients; the last of them is p(1).
-    Integer sum = 0;
-    for (const Integer& c : rest) sum += c;
-    if (!sum.is_zero()) break;
-    for (std::size_t i = 1; i < rest.size(); ++i) rest[i] += rest[i - 1];
-    rest.pop_back();
-  }
-  return Polynomial(std::move(rest)).primitive_part();
-}
-
-int Polynomial::sign_at(const Rational& d) const {
-  if (is_zero()) return 0;
-  if (degree() > 12 && d > 0 && d < 1)
-    if (const int sign = sign_by_rounding(coefficients_, d)) return sign;
-  const Integer above = numerator(d);
-  const Integer below = denominator(d);
-  Integer value = coefficients_.back();
-  Integer power = 1;
-  for (std::size_t i = coefficients_.size() - 1; i-- > 0;) {
-    power *= below;
-    value *= above;
-    if (!coefficients_[i].is_zero()) value += coefficients_[i] * power;
-  }
-  return value.sign();
-}
-
-Polynomial exact_quotient(const Polynomial& dividend, const Polynomial& divisor) {
-  std::vector<Integer> rest = dividend.coefficients();
-  const auto& by = divisor.coefficients();
-  if (rest.size() < by.size()) return {};
-  std::vector<Integer> quotient(rest.size() - by.size() + 1);
-  for (std::size_t i = quotient.size(); i-- > 0;) {
-    quotient[i] = rest[i + by.size() - 1] / by.back();
-    if (quotient[i].is_zero()) continue;
-    for (std::size_t j = 0; j < by.size(); ++j) rest[i + j] -= quotient[i] * by[j];
-  }
-  return Polynomial(std::move(quotient));
+std::string to_text(const Polynomial& p) {
+  char* pretty = fmpz_poly_get_str_pretty(Flint(p.coefficients()).self(), "d");  // 3*d^2+d-1
+  std::string text;
+  for (const char* c = pretty; *c != 0; ++c)
+    text += *c == '*' ? " " : c > pretty && (*c == '+' || *c == '-') ? std::string{' ', *c, ' '} : std::string{*c};
+  flint_free(pretty);
+  return text;
 }
 
 Polynomial greatest_common_divisor(const Polynomial& a, const Polynomial& b) {
-  Polynomial x = a.primitive_part();
-  Polynomial y = b.primitive_part();
-  if (!x.is_zero() && !y.is_zero())
-    if (const auto divisor = divisor_from_image(x, y)) return divisor->leading() < 0 ? -*divisor : *divisor;
-  if (x.degree() < y.degree()) std::swap(x, y);
-  while (!y.is_zero()) {
-    Polynomial rest = primitive_remainder(x, y);
-    x = std::move(y);
-    y = std::move(rest);
-  }
-  return !x.is_zero() && x.leading() < 0 ? -x : x;
+  Flint divisor(a.coefficients());
+  fmpz_poly_gcd(&divisor, &divisor, Flint(b.coefficients()).self());
+  fmpz_poly_primitive_part(&divisor, &divisor);
+  return taken_from(divisor);
 }
 
-Polynomial squarefree_part(const Polynomial& p) {
-  const Polynomial primitive = p.primitive_part();
-  return exact_quotient(primitive, greatest_common_divisor(primitive, primitive.derivative()));
+Polynomial irreducible_factor(const Polynomial& p, const Rational& low, const Rational& high) {
+  fmpz_poly_factor_t factors;
+  fmpz_poly_factor_init(factors);
+  fmpz_poly_factor(factors, Flint(p.coefficients()).self());
+  Polynomial factor;
+  for (slong i = 0; i < factors->num && !factor.crosses(low, high); ++i) factor = taken_from(factors->p[i]);
+  fmpz_poly_factor_clear(factors);
+  return factor;
 }
 
-std::string to_text(const Polynomial& p) {
-  if (p.is_zero()) return "0";
-  std::string text;
-  for (std::size_t i = p.coefficients().size(); i-- > 0;) {
-    const Integer& c = p.coefficients()[i];
-    if (c.is_zero()) continue;
-    text += text.empty() ? (c < 0 ? "-" : "") : (c < 0 ? " - " : " + ");
-    const Integer size = abs(c);
-    if (i == 0 || size != 1) text += size.str();
-    if (i == 0) continue;
-    if (size != 1) text += ' ';
-    text += i == 1 ? "d" : "d^" + std::to_string(i);
-  }
-  return text;
+RootIsolation isolate_roots(const Polynomial& p) {
+  Flint q(p.coefficients());
+  Flint repeated;
+  fmpz_poly_derivative(&repeated, &q);
+  fmpz_poly_gcd(&repeated, &q, &repeated);
+  fmpz_poly_div(&q, &q, &repeated);
+  fmpz_poly_remove(&q, &q, Flint({0, 1}).self());
+  fmpz_poly_remove(&q, &q, Flint({1, -1}).self());
+  fmpz_poly_primitive_part(&q, &q);
+  RootIsolation found{taken_from(q), {}};
+  bisect(found, q, 0, 0);
+  return found;
 }
 
 }  // namespace folk

@@ -59,8 +59,8 @@ struct ThresholdLimits {
 /// * no deviation from the path gains when the opponent's mixed stage minmax follows for ever (self-confirming with
 ///   unrestricted beliefs: Fudenberg & Levine 1993).
 /// Machines are tables in the sense any_own_moves (strategies/automaton.h).
-/// `progress` is told of each notion. Throws UsageError for a machine that mixes and for one that was unrolled, and
-/// Cancelled.
+/// `progress` is told of each notion. Throws UsageError for a machine that mixes and for one that was unrolled,
+/// Cancelled, and EnvironmentError in a build without FLINT (flint_available).
 Thresholds thresholds(const Automaton& first, const Automaton& second, const Payoffs& payoffs,
                       Sides sides = Sides::both, const ThresholdLimits& limits = {},
                       const Progress& progress = nullptr);

@@ -24,12 +24,14 @@ struct Arbitrary<folk::Integer> {
     const folk::Integer half = folk::Integer(1) << 32;
     const auto word_wide =
         gen::map(gen::arbitrary<std::int64_t>(), [](std::int64_t value) { return folk::Integer(value); });
-    const auto long_one =
-        gen::apply([](const std::vector<std::uint64_t>& words,
-                      bool negative) { return folk::Integer::from_words(words, negative); },
-                   gen::resize(4, gen::container<std::vector<std::uint64_t>>(
-                                      gen::inRange<std::uint64_t>(0, std::numeric_limits<std::uint64_t>::max()))),
-                   gen::arbitrary<bool>());
+    const auto long_one = gen::apply(
+        [](const std::vector<std::int64_t>& words) {
+          folk::Integer sum;
+          for (const std::int64_t next : words) sum = (sum << 64) + next;
+          return sum;
+        },
+        gen::resize(4, gen::container<std::vector<std::int64_t>>(gen::inRange(
+                           std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max()))));
     return gen::oneOf(near(0), near(half), near(-half), near(word), near(-word), word_wide, long_one);
   }
 };

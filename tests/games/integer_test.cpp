@@ -83,9 +83,8 @@ RC_GTEST_PROP(Integer, OrderAndSignAreTheLibrarys, (const Integer& a, const Inte
   RC_ASSERT(a.is_zero() == reference(a).is_zero());
 }
 
-RC_GTEST_PROP(Integer, TextWordsAndDoublesAreTheLibrarys, (const Integer& a, const Integer& b)) {
+RC_GTEST_PROP(Integer, TextsAndDoublesAreTheLibrarys, (const Integer& a, const Integer& b)) {
   RC_ASSERT(Integer(a.str()) == a);
-  RC_ASSERT(Integer::from_words(a.words(), a.sign() < 0) == a);
   RC_ASSERT(to_double(a) == reference(a).convert_to<double>());
   RC_PRE(!b.is_zero());
   RC_ASSERT(nearest_quotient(a, abs(b)) ==

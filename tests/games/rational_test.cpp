@@ -164,6 +164,26 @@ RC_GTEST_PROP(Rational, ChangesInPlaceAreTheOperators, (const Rational& x, const
   RC_ASSERT((changed -= changed) == 0);
 }
 
+TEST(Rational, TheSimplestBetween) {
+  EXPECT_EQ(simplest_between(Rational(3, 10), Rational(4, 10)), Rational(1, 3));
+  EXPECT_EQ(simplest_between(Rational(1, 3), Rational(4, 10)), Rational(1, 3));
+  EXPECT_EQ(simplest_between(Rational(7, 2), Rational(11, 2)), 4);
+  EXPECT_EQ(simplest_between(0, Rational(1, 9)), 0);
+  EXPECT_EQ(simplest_between(parse_rational("3.14159265"), parse_rational("3.14159266")), Rational(102928, 32763));
+}
+
+RC_GTEST_PROP(Rational, NoneOfASmallerDenominatorIsBetween, ()) {
+  const int below = *rc::gen::inRange(1, 60);
+  const Rational low(*rc::gen::inRange(0, 200), *rc::gen::inRange(1, 60));
+  const Rational high = low + Rational(*rc::gen::inRange(1, 50), below);
+  const Rational found = simplest_between(low, high);
+  RC_ASSERT(low <= found && found <= high);
+  for (int d = 1; d < found.denominator(); ++d) {
+    const Rational whole = numerator(high * d) / denominator(high * d);
+    RC_ASSERT(whole / d < low);
+  }
+}
+
 TEST(Rational, PartsOfATemporaryAreNotItsOwn) {
   const Integer& above = numerator(Rational(Integer(1) << 100, 3));
   const Integer& below = denominator(Rational(2, Integer(3) << 100));

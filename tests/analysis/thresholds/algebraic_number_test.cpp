@@ -1,17 +1,22 @@
-#include <folk/analysis/thresholds/algebraic_number.h>
-#include <folk/analysis/thresholds/minimal_polynomial.h>
+#include <folk/analysis/thresholds/discount_set.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/thresholds/polynomials.h"
+
 namespace folk {
 namespace {
 
-std::shared_ptr<const Polynomial> polynomial(std::vector<int> coefficients) {
-  return std::make_shared<const Polynomial>(std::vector<Integer>(coefficients.begin(), coefficients.end()));
+using test::product;
+
+std::shared_ptr<const Polynomial> polynomial(const std::vector<int>& coefficients) {
+  return std::make_shared<const Polynomial>(test::polynomial(coefficients));
 }
+
+AlgebraicNumber first_root(const Polynomial& p) { return roots_of(p).at(0); }
 
 /// The square root of a/b, 0 < a < b.
 AlgebraicNumber root_of(int a, int b) { return {polynomial({-a, 0, b}), 0, 1}; }
@@ -30,7 +35,7 @@ TEST(AlgebraicNumber, RationalRootsAreRecognised) {
 TEST(AlgebraicNumber, IrrationalRootsAreWrittenByTheirPolynomial) {
   EXPECT_EQ(to_text(AlgebraicNumber(polynomial({-1, 1, 3}), 0, 1)), "root of 3 d^2 + d - 1 in (0.43, 0.44)");
   // times (d^2 + d + 1)(d + 1) and a sign
-  const Polynomial p = *polynomial({1, -1, -3}) * *polynomial({1, 1, 1}) * *polynomial({1, 1});
+  const Polynomial p = product(*polynomial({1, -1, -3}), *polynomial({1, 1, 1}), *polynomial({1, 1}));
   EXPECT_EQ(to_text(AlgebraicNumber(std::make_shared<const Polynomial>(p), 0, 1)),
             "root of 3 d^2 + d - 1 in (0.43, 0.44)");
   // (2 d - 1)^2 = 3 / 100000
@@ -50,22 +55,13 @@ TEST(AlgebraicNumber, AnIntervalWithoutItsRootIsRefused) {
 
 TEST(AlgebraicNumber, EqualNumbersOfDifferentPolynomialsAreEqual) {
   const AlgebraicNumber a(polynomial({-1, 0, 2}), 0, 1);
-  const auto p = std::make_shared<const Polynomial>(*polynomial({-1, 0, 2}) * *polynomial({-1, 3, 1}));
+  const auto p = std::make_shared<const Polynomial>(product(*polynomial({-1, 0, 2}), *polynomial({-1, 3, 1})));
   const AlgebraicNumber b(p, Rational(1, 2), 1);
   EXPECT_EQ(a, b);
   EXPECT_LT(AlgebraicNumber(p, 0, Rational(1, 2)), a);
-  EXPECT_EQ(a.sign_of(*p), 0);
-  EXPECT_EQ(a.sign_of(*polynomial({-7, 10})), 1);
-  EXPECT_EQ(a.sign_of(*polynomial({-8, 10})), -1);
-}
-
-TEST(AlgebraicNumber, RationalsBetweenAreFoundHoweverClose) {
-  EXPECT_EQ(rational_between(Rational(0), Rational(1)), Rational(29, 64));
-  const AlgebraicNumber a = root_of(1, 2);
-  const AlgebraicNumber b = root_of(1'000'000'001, 2'000'000'000);
-  const Rational between = rational_between(a, b);
-  EXPECT_LT(a, between);
-  EXPECT_GT(b, between);
+  EXPECT_EQ(test::sign_at(a, *p), 0);
+  EXPECT_EQ(test::sign_at(a, *polynomial({-7, 10})), 1);
+  EXPECT_EQ(test::sign_at(a, *polynomial({-8, 10})), -1);
 }
 
 RC_GTEST_PROP(AlgebraicNumber, ComparesAsItsSquare, ()) {
@@ -80,6 +76,50 @@ RC_GTEST_PROP(AlgebraicNumber, ComparesAsItsSquare, ()) {
   RC_ASSERT((x > Rational(c, d)) == (a * d * d > b * c * c));
   RC_ASSERT((x == Rational(c, d)) == (a * d * d == b * c * c));
   RC_ASSERT(std::abs(x.nearest() - std::sqrt(static_cast<double>(a) / b)) < 1e-15);
+}
+
+TEST(MinimalPolynomial, OtherFactorsAreLeftOut) {
+  const Polynomial minimal = test::polynomial({-1, 0, 3});
+  EXPECT_EQ(first_root(product(minimal, test::polynomial({1, 0, -1, 1}))).minimal_polynomial(), minimal);
+  EXPECT_EQ(first_root(product(minimal, minimal, test::polynomial({-5, 1, 1, 3}))).minimal_polynomial(), minimal);
+  EXPECT_EQ(first_root(product(minimal, test::polynomial({-1}))).minimal_polynomial(), minimal);
+}
+
+TEST(MinimalPolynomial, HighDegreesLoseTheRootsOfUnity) {
+  // d^17 + d - 1 is (d^2 - d + 1) times an irreducible one of degree 15
+  std::vector<int> coefficients(18);
+  coefficients[0] = -1;
+  coefficients[1] = coefficients[17] = 1;
+  EXPECT_EQ(
+      first_root(product(test::polynomial(coefficients), test::polynomial({1, 1, 1}))).minimal_polynomial().degree(),
+      15U);
+}
+
+TEST(MinimalPolynomial, OfHighDegreesInProducts) {
+  for (const std::size_t degree : {11U, 15U, 29U}) {
+    std::vector<int> coefficients(degree + 1);  // 3 d^n + 2 d - 2: irreducible (Eisenstein at 2), one root
+    coefficients[0] = -2;
+    coefficients[1] = 2;
+    coefficients[degree] = 3;
+    const Polynomial minimal = test::polynomial(coefficients);
+    const AlgebraicNumber root = first_root(product(minimal, test::polynomial({5, 3, 0, 0, 1})));
+    EXPECT_EQ(root.minimal_polynomial(), minimal);
+    EXPECT_EQ(to_text(root).rfind("root of " + to_text(minimal) + " in (0.", 0), 0U) << to_text(root);
+  }
+}
+
+RC_GTEST_PROP(MinimalPolynomial, OfARandomIrreducibleOneTimesAnother, ()) {
+  // Eisenstein at 2: all but the leading coefficient even, the constant not by 4.
+  const auto degree = static_cast<std::size_t>(*rc::gen::inRange(2, 7));
+  std::vector<int> coefficients(degree + 1);
+  for (int& c : coefficients) c = 2 * *rc::gen::inRange(-3, 4);
+  coefficients.front() = -2;
+  coefficients.back() = 2 * *rc::gen::inRange(5, 20) + 1;  // a root in (0, 1): p(0) < 0 < p(1)
+  const Polynomial irreducible = test::polynomial(coefficients);
+  RC_PRE(irreducible.sign_at(1) > 0);
+  RC_PRE(roots_of(irreducible).size() == 1U);
+  const Polynomial p = product(irreducible, test::polynomial({*rc::gen::inRange(1, 9), *rc::gen::inRange(1, 9), 1, 4}));
+  RC_ASSERT(first_root(p).minimal_polynomial() == test::primitive(irreducible));
 }
 
 }  // namespace

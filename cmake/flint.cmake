@@ -1,0 +1,15 @@
+# FLINT, which has no package file of its own, as the target Folk::flint where FOLK_FLINT wants it and it is found. It can be
+# left out: analysis/thresholds then has no numbers to give and says so, and all else is as ever.
+if(FOLK_FLINT AND NOT TARGET Folk::flint)
+  find_path(FOLK_FLINT_INCLUDE_DIR flint/fmpz_poly_factor.h)
+  find_library(FOLK_FLINT_LIBRARY flint)
+  find_library(FOLK_GMP_LIBRARY gmp)
+  mark_as_advanced(FOLK_FLINT_INCLUDE_DIR FOLK_FLINT_LIBRARY FOLK_GMP_LIBRARY)
+  if(FOLK_FLINT_INCLUDE_DIR AND FOLK_FLINT_LIBRARY AND FOLK_GMP_LIBRARY)
+    add_library(Folk::flint INTERFACE IMPORTED)
+    target_include_directories(Folk::flint SYSTEM INTERFACE ${FOLK_FLINT_INCLUDE_DIR})
+    target_link_libraries(Folk::flint INTERFACE ${FOLK_FLINT_LIBRARY} ${FOLK_GMP_LIBRARY})
+  elseif(NOT FOLK_FLINT STREQUAL "AUTO")
+    message(FATAL_ERROR "FOLK_FLINT is ${FOLK_FLINT}, but FLINT is not found (Debian: libflint-dev)")
+  endif()
+endif()
