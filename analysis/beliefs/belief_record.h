@@ -43,8 +43,7 @@ bool is_deterministic(const Strategy& strategy);
 /// sampling.repetitions of them: match r against opponent i draws from match_key(seed, i, r, role), the policy in the
 /// first seat.
 ///
-/// Where both sides are machines or think together, up to most_matches_at_once matches are played side by side with
-/// sampling.threads threads; the records depend on neither. `progress` is told the finished share, 0 to 1.
+/// Matches are played as play_side_by_side does; `progress` is told the finished share, 0 to 1.
 /// Throws UsageError for another criterion, for noise (a slip is no belief about the opponent) and for more than
 /// most_recorded_rounds, Cancelled, and what the players throw.
 std::vector<BeliefRecord> record_beliefs(const Strategy& policy, const std::vector<Strategy>& opponents,

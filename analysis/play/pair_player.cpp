@@ -1,7 +1,7 @@
 #include <folk/analysis/play/deterministic_play.h>
-#include <folk/analysis/play/group_play.h>
 #include <folk/analysis/play/markov_play.h>
 #include <folk/analysis/play/pair_player.h>
+#include <folk/analysis/play/sampled_play.h>
 #include <folk/games/error.h>
 
 #include <fmt/format.h>
@@ -103,7 +103,7 @@ std::vector<PairResult> PairPlayer::play_together(const std::vector<std::pair<st
       throw with_names(error, strategy(a), strategy(b));
     }
   }
-  return play_group(contests, sampling_, progress);
+  return play_sampled(contests, sampling_, progress);
 }
 
 Contest PairPlayer::contest(std::size_t a, std::size_t b) const {
@@ -125,7 +125,7 @@ PairResult PairPlayer::play_best(std::size_t a, std::size_t b, unsigned worker) 
       return *solved;
   Sampling alone = sampling_;
   alone.threads = 1;  // the other workers play as well
-  return play_group({contest(a, b)}, alone).front();
+  return play_sampled({contest(a, b)}, alone).front();
 }
 
 PairResult play_pair(const Strategy& first, const Strategy& second, const Sampling& sampling) {

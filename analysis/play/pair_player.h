@@ -3,8 +3,7 @@
 
 #include <folk/analysis/play/cycle_table.h>
 #include <folk/analysis/play/pair_result.h>
-#include <folk/analysis/play/played_match.h>
-#include <folk/analysis/play/sampled_play.h>
+#include <folk/analysis/play/side_by_side.h>
 #include <folk/games/progress.h>
 #include <folk/strategies/automaton.h>
 #include <folk/strategies/strategy.h>

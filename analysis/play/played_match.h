@@ -1,66 +1,42 @@
 #pragma once
-// One match of two players, round by round, with its outcomes and guesses added up.
+// The outcomes and guesses of one match, added up round by round.
 
 #include <folk/analysis/play/pair_result.h>
-#include <folk/analysis/play/sampling.h>
-#include <folk/games/match_key.h>
+#include <folk/analysis/play/side_by_side.h>
+#include <folk/games/criterion.h>
 #include <folk/games/seat.h>
-#include <folk/strategies/strategy.h>
 
 #include <array>
-#include <cstdint>
-#include <memory>
-#include <optional>
 
 namespace folk {
 
-/// Two strategies that meet again and again.
-struct Contest {
-  const Strategy* first = nullptr;
-  const Strategy* second = nullptr;
-  std::uint64_t pair = 0;  ///< the number of the pair in the random keys
-  bool once = false;       ///< both are deterministic and nothing slips: one match says all
-
-  bool operator==(const Contest&) const = default;
-};
-
-/// Throws UsageError when the contest takes more than 10^8 rounds.
-void check_length(const Contest& contest, const Sampling& sampling);
-
-/// A table at which one contest is played, one match after the other.
+/// The sheet of one match, on which rounds weigh what they do under a criterion.
 class PlayedMatch {
 public:
-  /// Neither `contest`'s strategies nor `sampling` may go before this.
-  PlayedMatch(const Contest& contest, const Sampling& sampling);
+  PlayedMatch(const Contest& contest, const Criterion& criterion);
 
-  const Contest& contest() const { return contest_; }
+  void round(const SeatedMatch& match, const PlayedRound& round) {
+    judge_belief(match, Seat::first, round.theirs);
+    judge_belief(match, Seat::second, round.own);
+    weights_[round.index()] += weight_;
+    weight_ *= continuation_;
+  }
 
-  /// A new match begins, with the same players: the one with this number. Whatever is drawn has its
-  /// match_key(seed, pair, repetition, role).
-  void start(std::uint64_t repetition);
-
-  std::uint64_t rounds_left() const { return rounds_left_; }
-
-  void play_round();
-
-  Player& player(Seat seat) const { return *players_[index(seat)]; }
-
-  /// Of the rounds played in this match.
+  /// Of the rounds played so far.
   OutcomeWeights weights() const;
   Guesses guesses(Seat seat) const;
 
 private:
-  void judge_belief(Seat seat, Move theirs);
+  void judge_belief(const SeatedMatch& match, Seat seat, Move theirs) {
+    if (!may_believe_[index(seat)]) return;
+    const auto belief = match.player(seat).belief();
+    if (!belief) return;
+    guesses_[index(seat)] += {likelier_move(*belief) == theirs ? weight_ : 0, weight_};
+  }
 
-  Contest contest_;
-  const Sampling& sampling_;
-  std::array<std::unique_ptr<Player>, 2> players_;
-  std::array<bool, 2> may_believe_{};  // machines never do
-  double scale_ = 1;                   // what a round weighs is scale_ * continuation_^(t-1)
+  std::array<bool, 2> may_believe_;  // machines never do
+  double scale_ = 1;                 // what a round weighs is scale_ * continuation_^(t-1)
   double continuation_ = 1;
-
-  std::optional<RandomStream> noise_;
-  std::uint64_t rounds_left_ = 0;
   double weight_ = 1;  // of the coming round; this and what it is added to still want scale_
   OutcomeWeights weights_{};
   std::array<Guesses, 2> guesses_{};

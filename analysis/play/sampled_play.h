@@ -3,15 +3,19 @@
 
 #include <folk/analysis/play/pair_result.h>
 #include <folk/analysis/play/sampling.h>
-#include <folk/strategies/strategy.h>
+#include <folk/analysis/play/side_by_side.h>
+#include <folk/games/progress.h>
 
-#include <cstdint>
+#include <vector>
 
 namespace folk {
 
-/// Plays the pair again and again, as play_group does; match r draws from match_key(seed, pair, r, role).
-/// finite: T rounds. ending: the length of each match is drawn. discounted: until what is left weighs less than 1e-12.
-/// mean: long_run_rounds rounds. Throws UsageError when that is more than 10^8 rounds in all.
-PairResult play_sampled(const Strategy& first, const Strategy& second, std::uint64_t pair, const Sampling& sampling);
+/// Plays each contest as play_side_by_side does and returns the means of their matches in the same order.
+///
+/// Method::sampled; for a contest played once Method::played, and Method::bounded under mean, of which long_run_rounds
+/// prove no limit. `progress` is told the finished share, 0 to 1.
+/// Throws UsageError when a contest takes more than 10^8 rounds, Cancelled, and what the players throw.
+std::vector<PairResult> play_sampled(const std::vector<Contest>& contests, const Sampling& sampling,
+                                     const Progress& progress = nullptr);
 
 }  // namespace folk

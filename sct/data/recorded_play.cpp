@@ -1,20 +1,40 @@
+#include <folk/analysis/play/side_by_side.h>
 #include <folk/analysis/replies/finite_best_reply.h>
 #include <folk/games/criterion.h>
-#include <folk/games/match_key.h>
-#include <folk/games/outcome.h>
 #include <folk/sct/data/recorded_play.h>
+#include <folk/sct/data/trajectory_sheet.h>
 
+#include <array>
 #include <memory>
 #include <utility>
 
 namespace folk::sct {
 namespace {
 
-/// A match that is being recorded.
-struct Table {
-  std::unique_ptr<Player> player;
-  std::unique_ptr<Player> opponent;
-  RandomStream slips;
+/// Keeps each match as the first player saw it.
+struct FirstViews {
+  using Sheet = TrajectorySheet;
+
+  std::array<double, 4> payoffs;
+  std::vector<Trajectory> data{};
+
+  Sheet begin(const SeatedMatch& match) const { return {match, Seat::first, payoffs}; }
+  void end(const SeatedMatch&, Sheet sheet) { data.push_back(sheet.take()); }
+};
+
+/// Plays moves that are known in advance, whatever the other does.
+class Reciter final : public Player {
+public:
+  explicit Reciter(std::vector<Move> moves)
+      : moves_(std::move(moves)) {}
+
+  void start(const MatchStart&) override { next_ = 0; }
+  Move move() override { return moves_[next_]; }
+  void observe(Move, Move) override { ++next_; }
+
+private:
+  std::vector<Move> moves_;
+  std::size_t next_ = 0;
 };
 
 }  // namespace
@@ -22,50 +42,27 @@ struct Table {
 std::vector<Trajectory> play_and_record(const Strategy& player, const std::vector<Strategy>& roster,
                                         const Payoffs& payoffs, std::uint64_t rounds, Noise slip,
                                         Repetitions repetitions, std::uint64_t seed, unsigned threads) {
-  const auto rewards = payoffs.numbers();
-  std::vector<Table> tables;
-  std::vector<Trajectory> data;
-  std::vector<Player*> players;
-  for (std::size_t i = 0; i < roster.size(); ++i)
-    for (std::uint64_t r = 0; r < repetitions; ++r) {
-      const auto key = [&](MatchRole role) { return match_key(seed, i, r, role); };
-      tables.push_back({player.new_player(), roster[i].new_player(), RandomStream(key(MatchRole::noise))});
-      tables.back().player->start({payoffs, Criterion::finite(rounds), key(MatchRole::first)});
-      tables.back().opponent->start({payoffs, Criterion::finite(rounds), key(MatchRole::second)});
-      players.push_back(tables.back().player.get());
-      data.push_back({player.name, roster[i].name, {}, {}, {}});
-    }
-  for (std::uint64_t t = 0; t < rounds; ++t) {
-    if (player.thinks_together) players.front()->think_together(players, threads);
-    for (std::size_t m = 0; m < tables.size(); ++m) {
-      Move own = tables[m].player->move();
-      const Move theirs = tables[m].opponent->move();
-      if (slip > 0 && tables[m].slips.chance(slip)) own = other(own);
-      data[m].add(own, theirs, rewards[Outcome{own, theirs}.index()]);
-      tables[m].player->observe(own, theirs);
-      tables[m].opponent->observe(theirs, own);
-    }
-  }
-  return data;
+  std::vector<Contest> contests;
+  for (const auto& member : roster) contests.push_back({&player, &member, contests.size()});
+  FirstViews views{payoffs.numbers()};
+  play_side_by_side(contests, {{payoffs, Criterion::finite(rounds), slip}, repetitions, seed, threads}, views, nullptr,
+                    Slipping::first);
+  return std::move(views.data);
 }
 
 std::vector<Trajectory> best_reply_data(const std::vector<Strategy>& roster, const Payoffs& payoffs,
                                         std::uint64_t rounds) {
-  const auto rewards = payoffs.numbers();
-  std::vector<Trajectory> data;
+  std::vector<Strategy> replies;
+  std::vector<Contest> contests;
+  replies.reserve(roster.size());
   for (const auto& member : roster) {
     const auto moves = FiniteBestReply(*member.machine, payoffs, rounds).moves();
-    const auto opponent = member.new_player();
-    opponent->start({payoffs, Criterion::finite(rounds), {}});
-    Trajectory trajectory{"best_reply", member.name, {}, {}, {}};
-    for (const Move own : moves) {
-      const Move theirs = opponent->move();
-      trajectory.add(own, theirs, rewards[Outcome{own, theirs}.index()]);
-      opponent->observe(theirs, own);
-    }
-    data.push_back(std::move(trajectory));
+    replies.push_back({"best_reply", nullptr, [moves] { return std::make_unique<Reciter>(moves); }});
+    contests.push_back({&replies.back(), &member, contests.size(), true});
   }
-  return data;
+  FirstViews views{payoffs.numbers()};
+  play_side_by_side(contests, {{payoffs, Criterion::finite(rounds)}}, views);
+  return std::move(views.data);
 }
 
 }  // namespace folk::sct

@@ -1,32 +1,49 @@
-#include <folk/games/match.h>
-#include <folk/games/match_key.h>
-#include <folk/games/outcome.h>
+#include <folk/analysis/play/side_by_side.h>
 #include <folk/sct/data/tournament_data.h>
+#include <folk/sct/data/trajectory_sheet.h>
+
+#include <array>
 
 namespace folk::sct {
+namespace {
+
+/// Keeps each match as both seats saw it, once where these are the same.
+struct BothViews {
+  struct Sheet {
+    TrajectorySheet first;
+    TrajectorySheet second;
+
+    void round(const SeatedMatch& match, const PlayedRound& round) {
+      first.round(match, round);
+      second.round(match, round);
+    }
+  };
+
+  std::array<double, 4> payoffs;
+  std::vector<Trajectory> data{};
+
+  Sheet begin(const SeatedMatch& match) const {
+    return {{match, Seat::first, payoffs}, {match, Seat::second, payoffs}};
+  }
+
+  void end(const SeatedMatch& match, Sheet sheet) {
+    data.push_back(sheet.first.take());
+    Trajectory theirs = sheet.second.take();
+    const bool self_play = match.contest().first == match.contest().second;
+    if (!self_play || theirs.own != data.back().own) data.push_back(std::move(theirs));
+  }
+};
+
+}  // namespace
 
 std::vector<Trajectory> tournament_data(const std::vector<Strategy>& roster, const Payoffs& payoffs,
                                         std::uint64_t rounds, Repetitions repetitions, std::uint64_t seed) {
-  const auto rewards = payoffs.numbers();
-  std::vector<Trajectory> data;
+  std::vector<Contest> contests;
   for (std::size_t i = 0; i < roster.size(); ++i)
-    for (std::size_t j = i; j < roster.size(); ++j)
-      for (std::uint64_t r = 0; r < repetitions; ++r) {
-        const auto first = roster[i].new_player();
-        const auto second = roster[j].new_player();
-        const std::uint64_t pair = i * roster.size() + j;
-        first->start({payoffs, Criterion::finite(rounds), match_key(seed, pair, r, MatchRole::first)});
-        second->start({payoffs, Criterion::finite(rounds), match_key(seed, pair, r, MatchRole::second)});
-        Trajectory mine{roster[i].name, roster[j].name, {}, {}, {}};
-        Trajectory theirs{roster[j].name, roster[i].name, {}, {}, {}};
-        play_match(*first, *second, rounds, NoNoise{}, [&](Move a, Move b) {
-          mine.add(a, b, rewards[Outcome{a, b}.index()]);
-          theirs.add(b, a, rewards[Outcome{b, a}.index()]);
-        });
-        data.push_back(std::move(mine));
-        if (i != j || theirs.own != data.back().own) data.push_back(std::move(theirs));
-      }
-  return data;
+    for (std::size_t j = i; j < roster.size(); ++j) contests.push_back({&roster[i], &roster[j], i * roster.size() + j});
+  BothViews views{payoffs.numbers()};
+  play_side_by_side(contests, {{payoffs, Criterion::finite(rounds)}, repetitions, seed}, views);
+  return std::move(views.data);
 }
 
 }  // namespace folk::sct

@@ -1,4 +1,4 @@
-#include <folk/analysis/play/group_play.h>
+#include <folk/analysis/play/sampled_play.h>
 #include <folk/sct/policy/roster_play.h>
 
 #include <array>
@@ -19,7 +19,7 @@ std::vector<RosterScore> play_roster(const std::vector<Strategy>& strategies, co
     for (const auto& opponent : roster)
       contests.push_back({&strategy, &opponent, contests.size(),
                           sampling.noise == 0 && deterministic(strategy) && deterministic(opponent)});
-  const auto results = play_group(contests, sampling, progress);
+  const auto results = play_sampled(contests, sampling, progress);
   const auto payoffs = sampling.payoffs.numbers();
   std::vector<RosterScore> scores(strategies.size());
   for (std::size_t s = 0; s < strategies.size(); ++s) {

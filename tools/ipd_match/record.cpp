@@ -3,16 +3,14 @@
 
 #include <folk/tools/choices/standard_names.h>
 
+#include <folk/analysis/play/side_by_side.h>
 #include <folk/games/criterion.h>
-#include <folk/games/match.h>
-#include <folk/games/match_key.h>
-#include <folk/strategies/player.h>
 #include <folk/strategies/registry.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
+#include <utility>
 
 namespace folk::tools {
 namespace {
@@ -28,36 +26,46 @@ Rational payoff(const std::array<Rational, 4>& by_outcome, const MatchRecord& re
   return by_outcome[(seat == Seat::first ? outcome : outcome.exchanged()).index()];
 }
 
+/// Writes a match into a record.
+struct Recorder {
+  struct Sheet {
+    MatchRecord* record;
+
+    void round(const SeatedMatch& match, const PlayedRound& round) {
+      record->transcript.append(round.own, round.theirs);
+      for (const Seat seat : both_seats) {
+        record->slipped[index(seat)].push_back(round.slipped[index(seat)]);
+        record->beliefs[index(seat)].push_back(
+            match.player(seat).belief().value_or(std::numeric_limits<double>::quiet_NaN()));
+      }
+    }
+  };
+
+  MatchRecord record;
+
+  Sheet begin(const SeatedMatch&) { return {&record}; }
+  void end(const SeatedMatch&, Sheet) {
+    for (auto& beliefs : record.beliefs) drop_empty_beliefs(beliefs);
+  }
+};
+
 }  // namespace
 
 MatchRecord play_one(const MatchSettings& settings, const Progress& progress) {
   const Registry registry = standard_names(settings.policies);
-  MatchRecord record;
-  std::array<std::unique_ptr<Player>, 2> players;
+  Recorder recorder;
+  MatchRecord& record = recorder.record;
+  std::array<Strategy, 2> strategies;
   for (const Seat seat : both_seats) {
-    const Strategy strategy = registry.make(settings.players[index(seat)], settings.game.payoffs);
+    Strategy& strategy = strategies[index(seat)];
+    strategy = registry.make(settings.players[index(seat)], settings.game.payoffs);
     record.names[index(seat)] = strategy.name;
     if (!strategy.caveat.empty() && std::count(record.caveats.begin(), record.caveats.end(), strategy.caveat) == 0)
       record.caveats.push_back(strategy.caveat);
-    players[index(seat)] = strategy.new_player();
-    players[index(seat)]->start(
-        {settings.game.payoffs, Criterion::finite(settings.rounds), match_key(settings.seed, 0, 0, role_of(seat))});
   }
-  RandomStream noise(match_key(settings.seed, 0, 0, MatchRole::noise));
-  std::size_t asked = 0;
-  const auto slips = [&] {
-    const bool slip = noise.chance(settings.noise);
-    record.slipped[asked++ % 2].push_back(slip);
-    return slip;
-  };
-  play_match(*players[0], *players[1], settings.rounds, slips, [&](Move first, Move second) {
-    record.transcript.append(first, second);
-    for (std::size_t seat = 0; seat < 2; ++seat)
-      record.beliefs[seat].push_back(players[seat]->belief().value_or(std::numeric_limits<double>::quiet_NaN()));
-    progress(static_cast<double>(record.transcript.rounds()) / static_cast<double>(settings.rounds));
-  });
-  for (auto& beliefs : record.beliefs) drop_empty_beliefs(beliefs);
-  return record;
+  const MatchRules rules{settings.game.payoffs, Criterion::finite(settings.rounds), settings.noise};
+  play_side_by_side({Contest{&strategies[0], &strategies[1]}}, {rules, 1, settings.seed}, recorder, progress);
+  return std::move(recorder.record);
 }
 
 std::vector<Rational> running_scores(const MatchSettings& settings, const MatchRecord& record, Seat seat) {

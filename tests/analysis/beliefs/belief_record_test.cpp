@@ -1,6 +1,6 @@
 #include <analysis/beliefs/believing_player.h>
 #include <folk/analysis/beliefs/belief_record.h>
-#include <folk/analysis/play/group_play.h>
+#include <folk/analysis/play/sampled_play.h>
 #include <folk/games/error.h>
 #include <games/ended_work.h>
 #include <games/expect_error.h>
@@ -57,13 +57,13 @@ TEST(BeliefRecord, SamplesWhereSomebodyMixes) {
     for (const auto& round : match) EXPECT_EQ(round.truth, 0.25);
 }
 
-/// The keys are those of a tournament: the same match comes out of play_group.
+/// The keys are those of a tournament: the same match comes out of play_sampled.
 TEST(BeliefRecord, DrawsAsTournamentsDo) {
   const auto policy = believer("tit_for_tat", "all_c");
   const auto opponents = roster("random(0.3),random(0.6)");
   const auto records = record_beliefs(policy, opponents, over(40, 1));
   for (std::size_t i = 0; i < opponents.size(); ++i) {
-    const auto result = play_group({{&policy, &opponents[i], i, false}}, over(40, 1)).front();
+    const auto result = play_sampled({{&policy, &opponents[i], i, false}}, over(40, 1)).front();
     OutcomeWeights counts{};
     for (const auto& round : records[i].matches[0]) counts[round.index()] += 1;
     EXPECT_EQ(counts, result.weights);

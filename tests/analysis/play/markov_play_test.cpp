@@ -56,8 +56,10 @@ void agrees_with_simulation(const Criterion& criterion, double noise, std::uint6
     const Automaton a = random_memory_one(random);
     const Automaton b = random_memory_one(random);
     const Scores expected = scores(simulated_target(a, b, noise, criterion));
+    const Strategy first = named("a", a);
+    const Strategy second = named("b", b);
     const auto sampled =
-        play_sampled(named("a", a), named("b", b), i, {{Payoffs{}, criterion, noise}, repetitions, 2026});
+        play_sampled({Contest{&first, &second, i}}, {{Payoffs{}, criterion, noise}, repetitions, 2026}).front();
     const Scores found = scores(sampled.weights);
     const double rounding = 1e-9 * criterion.total_weight();  // a pair that plays without chance has no standard error
     EXPECT_NEAR(expected.first, found.first, 4 * sampled.first_error + rounding) << i;

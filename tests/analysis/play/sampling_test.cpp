@@ -1,6 +1,6 @@
 #include "games/expect_error.h"
 
-#include <folk/analysis/play/group_play.h>
+#include <folk/analysis/play/sampled_play.h>
 #include <folk/strategies/registry.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ TEST(Repetitions, ASampleOfNoMatchesCannotBeAskedFor) {
   sampling.criterion = Criterion::finite(10);
   sampling.repetitions = 1;
   const auto random = Registry::standard().make("random(0.5)");
-  const auto pairs = play_group({Contest{&random, &random}}, sampling);
+  const auto pairs = play_sampled({Contest{&random, &random}}, sampling);
   double rounds = 0;
   for (const double weight : pairs.front().weights) rounds += weight;
   EXPECT_EQ(rounds, 10) << "one match of 10 rounds";

@@ -2,7 +2,7 @@
 
 #include "csv.h"
 
-#include <folk/analysis/play/group_play.h>
+#include <folk/analysis/play/sampled_play.h>
 #include <folk/analysis/tournament/tournament.h>
 #include <folk/games/error.h>
 #include <folk/strategies/automaton.h>
@@ -201,7 +201,7 @@ TEST(Tournament, TakesTheMeanErrorOfBothSeatsInSelfPlay) {
   Sampling sampling;
   sampling.criterion = settings.criterion;
   sampling.repetitions = settings.repetitions;
-  const auto seats = play_group({{&opaque, &opaque, 0}}, sampling).front();
+  const auto seats = play_sampled({{&opaque, &opaque, 0}}, sampling).front();
   ASSERT_GT(std::abs(seats.first_error - seats.second_error), 0.1);
   const double mean = (seats.first_error + seats.second_error) / 2;
   EXPECT_DOUBLE_EQ(tournament.standard_error(0, 0), mean);
