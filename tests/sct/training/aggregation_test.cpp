@@ -5,22 +5,15 @@
 #include <folk/strategies/registry.h>
 
 #include <gtest/gtest.h>
+#include <sct/data/small_roster.h>
 
 #include <numeric>
 
 namespace folk::sct {
 namespace {
 
-const std::vector<Strategy>& roster() {
-  static const auto strategies = Registry::standard().roster("all_c,all_d,tit_for_tat,spiteful,per_ccd");
-  return strategies;
-}
-
-double total(const std::vector<Trajectory>& data) {
-  double sum = 0;
-  for (const auto& match : data) sum = std::accumulate(match.rewards.begin(), match.rewards.end(), sum);
-  return sum;
-}
+using test::roster;
+using test::total;
 
 TEST(Aggregation, TheTeacherAgreesWithTheBayesOptimalPlayer) {
   const BayesTeacher teacher(roster(), {}, 20, 300);
