@@ -16,6 +16,12 @@ function(folk_compile_options target)
     # (bug 105593) and Boost's cpp_int.
     target_compile_options(${target} PRIVATE -Wno-restrict -Wno-stringop-overflow -Wno-maybe-uninitialized -Wno-uninitialized)
   endif()
+  if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    target_compile_options(${target} PRIVATE -Wno-sign-conversion -Wno-missing-braces)  # as GCC understands these options
+  endif()
+  if(FOLK_FOLDERS_AS_ONE)
+    target_compile_options(${target} PRIVATE -Wno-shadow)  # of what another source of the folder calls so
+  endif()
   if(FOLK_WERROR)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
@@ -42,6 +48,30 @@ function(folk_precompile target)
   endif()
 endfunction()
 
+# For builds that are made once (scripts/, the sanitizers): the sources of a folder are compiled as one, which reads each
+# header once a folder and takes a third of the time. So no two sources of a folder may name two things alike. ON spares the
+# libraries in which products are fused with sums: what is fused depends on what is inlined, and with it a last digit.
+set(FOLK_FOLDERS_AS_ONE OFF CACHE STRING "Compile the sources of each folder as one: OFF, ON where no number can change, ALL")
+set(FOLK_OPTIMISED_FOLDERS "" CACHE STRING "Folders that FOLK_FOLDERS_AS_ONE compiles with -O1, such as sct_network")
+
+# folk_folders_as_one(TARGET SOURCE...)
+function(folk_folders_as_one target)
+  if(NOT FOLK_FOLDERS_AS_ONE)
+    return()
+  endif()
+  foreach(source ${ARGN})
+    cmake_path(GET source PARENT_PATH folder)
+    file(RELATIVE_PATH group ${PROJECT_SOURCE_DIR} ${folder})
+    string(REPLACE "/" "_" group ${group})
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+    if(group IN_LIST FOLK_OPTIMISED_FOLDERS)
+      set(one ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/Unity/unity_${group}_cxx.cxx)
+      set_source_files_properties(${one} PROPERTIES COMPILE_OPTIONS -O1 SKIP_PRECOMPILE_HEADERS ON)
+    endif()
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
+
 # A second build of the same source is a look-up; the two settings are what precompiled headers need.
 find_program(FOLK_CCACHE ccache)
 if(FOLK_CCACHE AND PROJECT_IS_TOP_LEVEL AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
@@ -56,9 +86,9 @@ if(FOLK_HAS_LLD AND PROJECT_IS_TOP_LEVEL)
 endif()
 
 # folk_library(games DEPENDS fmt::fmt): the library of this folder, folk::games, from all its sources, those in
-# its rooms too.
+# its rooms too. NOTHING_FUSED: no product is fused with a sum, so that its numbers are the same on every processor.
 function(folk_library name)
-  cmake_parse_arguments(ARG "" "" "DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "NOTHING_FUSED" "" "DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
   add_library(folk_${name} ${sources} ${headers})
@@ -66,6 +96,12 @@ function(folk_library name)
   set_target_properties(folk_${name} PROPERTIES EXPORT_NAME ${name})
   folk_compile_options(folk_${name})
   folk_precompile(folk_${name})
+  if(FOLK_FOLDERS_AS_ONE STREQUAL "ALL" OR ARG_NOTHING_FUSED)
+    folk_folders_as_one(folk_${name} ${sources})
+  endif()
+  if(ARG_NOTHING_FUSED)
+    target_compile_options(folk_${name} PRIVATE -ffp-contract=off)
+  endif()
   target_include_directories(folk_${name} PUBLIC $<BUILD_INTERFACE:${FOLK_INCLUDE_ROOT}>
                                                  $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(folk_${name} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE_DEPENDS})
@@ -85,6 +121,7 @@ function(folk_program name)
   folk_compile_options(${name})
   target_link_libraries(${name} PRIVATE folk_program_support)
   folk_precompile(${name} REUSE_FROM folk_program_support)
+  folk_folders_as_one(${name} ${sources})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
   if(FOLK_INSTALL)
     install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

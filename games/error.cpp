@@ -1,5 +1,7 @@
 #include <folk/games/error.h>
 
+#include <fmt/format.h>
+
 namespace folk {
 
 std::string excerpt(std::string_view text, std::size_t most) {
@@ -13,6 +15,10 @@ std::string excerpt(std::string_view text, std::size_t most) {
   for (char& c : shown)
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
   return length < text.size() ? shown + "..." : shown;
+}
+
+void refuse_file(std::string_view file, std::string_view why) {
+  throw InputFileError(fmt::format("{}: {}", excerpt(file, 1000), why));
 }
 
 }  // namespace folk

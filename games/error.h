@@ -36,4 +36,7 @@ public:
 /// message stays on one line whatever was read.
 std::string excerpt(std::string_view text, std::size_t most = 40);
 
+/// Throws InputFileError "file: why", where `why` also says what to do.
+[[noreturn]] void refuse_file(std::string_view file, std::string_view why);
+
 }  // namespace folk

@@ -10,7 +10,7 @@ namespace folk {
 
 /// Anything that says its next move and is told what was really played.
 template <class T>
-concept Plays = requires(T player, Move move) {
+concept Plays = requires(T& player, Move move) {
   { player.move() } -> std::convertible_to<Move>;
   player.observe(move, move);
 };

@@ -21,10 +21,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void refuse(const fs::path& path, const std::string& why) {
-  throw InputFileError(fmt::format("{}: {}", excerpt(path.string(), 1000), why));
-}
-
 [[noreturn]] void fail(const fs::path& path, const std::string& why) {
   throw EnvironmentError(fmt::format("{}: cannot be written: {}", excerpt(path.string(), 1000), why));
 }
@@ -81,21 +77,21 @@ std::string read_file(const fs::path& path, std::size_t largest) {
       fmt::format("larger than {} MiB, which no file of this kind is; check the name", largest >> 20U);
   std::error_code error;
   const auto status = fs::status(path, error);
-  if (status.type() == fs::file_type::not_found) refuse(path, "no such file; check the name");
-  if (!fs::exists(status)) refuse(path, "cannot be opened: " + error.message());
-  if (fs::is_directory(status)) refuse(path, "is a directory, not a file; name a file in it");
-  if (fs::is_regular_file(status) && fs::file_size(path, error) > largest) refuse(path, too_large);
+  if (status.type() == fs::file_type::not_found) refuse_file(path.string(), "no such file; check the name");
+  if (!fs::exists(status)) refuse_file(path.string(), "cannot be opened: " + error.message());
+  if (fs::is_directory(status)) refuse_file(path.string(), "is a directory, not a file; name a file in it");
+  if (fs::is_regular_file(status) && fs::file_size(path, error) > largest) refuse_file(path.string(), too_large);
   errno = 0;
   std::ifstream file(path, std::ios::binary);
-  if (!file) refuse(path, std::string("cannot be opened: ") + std::strerror(errno));
+  if (!file) refuse_file(path.string(), std::string("cannot be opened: ") + std::strerror(errno));
   // Pipes have no size: read up to the limit and refuse what is longer.
   std::string text;
   char block[65536];
   while (file.read(block, sizeof block), file.gcount() > 0) {
     text.append(block, static_cast<std::size_t>(file.gcount()));
-    if (text.size() > largest) refuse(path, too_large);
+    if (text.size() > largest) refuse_file(path.string(), too_large);
   }
-  if (file.bad()) refuse(path, "cannot be read");
+  if (file.bad()) refuse_file(path.string(), "cannot be read");
   return text;
 }
 

@@ -41,5 +41,5 @@ install_packages() {
 build() {
   local target=$1
   shift
-  (cd "$root" && cmake --preset release "$@" >/dev/null && cmake --build --preset release --target "$target")
+  (cd "$root" && cmake --preset release -DFOLK_FOLDERS_AS_ONE=ON "$@" >/dev/null && cmake --build --preset release --target "$target")
 }

@@ -7,24 +7,24 @@
 namespace folk {
 namespace {
 
-struct Pair {
+struct JointState {
   State a;
   State b;
 
-  bool operator==(const Pair&) const = default;
+  bool operator==(const JointState&) const = default;
 };
 
-struct PairHash {
-  std::size_t operator()(const Pair& pair) const {
+struct JointStateHash {
+  std::size_t operator()(const JointState& states) const {
     // Two odd multipliers and a fold of the high bits: states are small numbers, often equal to each other.
-    const std::uint64_t mixed = (pair.a * 0x9E3779B97F4A7C15U) ^ ((pair.b + 1) * 0xC2B2AE3D27D4EB4FU);
+    const std::uint64_t mixed = (states.a * 0x9E3779B97F4A7C15U) ^ ((states.b + 1) * 0xC2B2AE3D27D4EB4FU);
     return static_cast<std::size_t>(mixed ^ (mixed >> 29U));
   }
 };
 
 /// A joint state and how the walk first came to it.
 struct Visit {
-  Pair states;
+  JointState states;
   std::size_t before;  ///< index of the visit it came from
   std::size_t rounds;  ///< length of the play that led here
   Outcome round;       ///< the last round of that play
@@ -41,7 +41,7 @@ std::vector<Outcome> play_to(const std::vector<Visit>& visits, std::size_t last)
 
 Comparison compare(const Machine& a, const Machine& b, Sense sense, std::size_t most_pairs) {
   std::vector<Visit> visits{{{a.start(), b.start()}, 0, 0, {}}};
-  std::unordered_set<Pair, PairHash> known{visits.front().states};
+  std::unordered_set<JointState, JointStateHash> known{visits.front().states};
   Comparison result;
   const auto differ = [&](std::size_t at) {
     const auto [first, second] = visits[at].states;
@@ -62,7 +62,7 @@ Comparison compare(const Machine& a, const Machine& b, Sense sense, std::size_t 
     for (const Outcome round : all_outcomes) {
       if (!possible(cooperation, round, sense)) continue;
       const auto [own, theirs] = round;
-      const Pair then{a.next(here.states.a, own, theirs), b.next(here.states.b, own, theirs)};
+      const JointState then{a.next(here.states.a, own, theirs), b.next(here.states.b, own, theirs)};
       if (known.contains(then)) continue;
       if (visits.size() >= most_pairs) return conclude(Equivalence::undecided, here.rounds);
       known.insert(then);

@@ -18,7 +18,7 @@ namespace {
 
 using Node = BelievedWorld::Node;
 
-constexpr std::size_t most_depth = 12;
+constexpr std::size_t most_search_depth = 12;
 constexpr std::size_t rounds_at_once = 4;
 
 /// 0, n/2, n/4, 3n/4, ...: every index below n once, far ones first.
@@ -282,8 +282,8 @@ void check(const std::vector<BeliefMatch>& paths, const OwnBeliefSearch& search)
     if (path.size() != paths.front().size() || path.empty())
       throw UsageError(fmt::format("paths of {} and {} rounds: give paths of one length, 1 or more",
                                    paths.front().size(), path.size()));
-  if (search.depth < 1 || search.depth > most_depth)
-    throw UsageError(fmt::format("a search of depth {}: expected 1 to {}", search.depth, most_depth));
+  if (search.depth < 1 || search.depth > most_search_depth)
+    throw UsageError(fmt::format("a search of depth {}: expected 1 to {}", search.depth, most_search_depth));
   if (search.beam < 1) throw UsageError("a search with beam 0: expected 1 or more");
 }
 

@@ -9,8 +9,6 @@
 namespace folk {
 namespace {
 
-using Node = PrefixTree::Node;
-
 /// Folding one node into another, tried out: what speaks for and against it.
 struct Fold {
   double agreeing = 0;  ///< weight of moves that both saw alike
@@ -141,11 +139,11 @@ private:
     return result;
   }
 
-  std::vector<Node> nodes_;
+  std::vector<PrefixTree::Node> nodes_;
   double price_;
   std::vector<std::uint32_t> red_;
   std::vector<bool> is_red_;
-  std::vector<std::pair<std::uint32_t, Node>> undo_;
+  std::vector<std::pair<std::uint32_t, PrefixTree::Node>> undo_;
 };
 
 }  // namespace

@@ -125,8 +125,6 @@ std::string belief_path_layers(const BeliefLines& lines, std::size_t rounds) {
 
 // ---- Accuracy ------------------------------------------------------------------------------------------------------
 
-double row_height(std::size_t names) { return names <= 60 ? 22 : names <= 120 ? 14 : 10; }
-
 Layout accuracy_layout(const AccuracyPlot& plot) {
   const double row = row_height(plot.names.size());
   Layout layout;

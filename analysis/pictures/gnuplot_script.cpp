@@ -112,6 +112,8 @@ double widest_name(const std::vector<std::string>& names, double font) {
   return text_width(most, font);
 }
 
+double row_height(std::size_t names) { return names <= 60 ? 22 : names <= 120 ? 14 : 10; }
+
 std::string Layout::x(double pixels) const { return fmt::format("screen {:.6f}", pixels / width); }
 
 std::string Layout::y(double pixels) const { return fmt::format("screen {:.6f}", 1 - pixels / height); }

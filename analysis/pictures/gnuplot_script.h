@@ -32,6 +32,9 @@ inline constexpr double note_font = 11;
 double title_width(std::string_view title);
 double widest_name(const std::vector<std::string>& names, double font);
 
+/// Pixels a row, where each of so many names has one.
+double row_height(std::size_t names);
+
 /// A picture and the frame inside it, in pixels from the picture's top left corner.
 struct Layout {
   double width = 0;

@@ -86,7 +86,7 @@ struct Look {
 };
 
 /// The data of a set and the parts of a plot command that draw it, its name in the legend once.
-struct Drawing {
+struct DrawnSets {
   std::string data;
   std::vector<std::string> layers;
 
@@ -161,7 +161,7 @@ std::string outcome_labels(const PayoffRegionPlot& plot) {
 std::string payoff_region_script(const PayoffRegionPlot& plot, PictureFormat format, const fs::path& output) {
   if (plot.feasible.empty()) throw UsageError("a payoff region's picture needs a feasible payoff");
   const Layout layout = layout_of(plot);
-  Drawing drawing;
+  DrawnSets drawing;
   drawing.add_set("FEASIBLE", plot.feasible, "feasible", {"#f2f2f2", "#8c8c8c", 1, "1"});
   drawing.add_set("RATIONAL", plot.individually_rational, "individually rational (mixed minmax)",
                   {"#d3e5f3", "#6a9cc4", 1, "1"});

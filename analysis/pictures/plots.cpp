@@ -178,8 +178,6 @@ std::string heat_map_cells(const HeatMap& map, const std::array<double, 2>& rang
 
 // ---- Box plot ------------------------------------------------------------------------------------------------------
 
-double row_height(std::size_t strategies) { return strategies <= 60 ? 22 : strategies <= 120 ? 14 : 10; }
-
 Layout box_plot_layout(const BoxPlot& plot) {
   const double row = row_height(plot.names.size());
   Layout layout;

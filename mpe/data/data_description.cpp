@@ -83,9 +83,7 @@ public:
     refuse(fmt::format("'{}': expected {}; take a fresh copy, or leave this file out", key, expected));
   }
 
-  [[noreturn]] void refuse(const std::string& why) const {
-    throw InputFileError(fmt::format("{}: {}", excerpt(source_, 1000), why));
-  }
+  [[noreturn]] void refuse(const std::string& why) const { refuse_file(source_, why); }
 
 private:
   const Json& at(const char* key) const {

@@ -12,8 +12,6 @@
 namespace folk::mpe {
 namespace {
 
-constexpr std::size_t episodes_in_piece = 64;
-
 /// Over the episodes in their order.
 MeanReturn mean_return(const std::vector<double>& returns) {
   const auto n = static_cast<double>(returns.size());

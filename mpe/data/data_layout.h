@@ -39,4 +39,7 @@ inline std::size_t data_file_index(DataField field, std::size_t agent) {
   return 5 * agent + static_cast<std::size_t>(field);
 }
 
+/// Episodes that a thread takes at a time where it works on them alone.
+inline constexpr std::size_t episodes_in_piece = 64;
+
 }  // namespace folk::mpe

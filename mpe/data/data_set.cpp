@@ -16,7 +16,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t all_agents = 4;  // in either scenario
-constexpr std::size_t episodes_in_piece = 128;
 constexpr std::size_t largest_metadata = std::size_t{1} << 20U;
 
 std::vector<std::size_t> observation_widths(const Scenario& scenario) {
@@ -81,7 +80,7 @@ DataSet DataSet::parse(const Files& file, const std::string& source, const DataS
 
 void DataSet::refuse(const std::string& file, const std::string& why) const {
   const fs::path path = file.empty() ? fs::path(source_) : fs::path(source_) / file;
-  throw InputFileError(fmt::format("{}: {}", excerpt(path.string(), 1000), why));
+  refuse_file(path.string(), why);
 }
 
 void DataSet::read_tables(const Files& file) {

@@ -22,7 +22,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t word = 8;
-constexpr std::size_t episodes_in_piece = 64;
 
 [[noreturn]] void fail(const fs::path& path, const std::string& what, int reason) {
   throw EnvironmentError(fmt::format("{}: {}: {}", excerpt(path.string(), 1000), what, std::strerror(reason)));

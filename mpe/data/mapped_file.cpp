@@ -12,27 +12,22 @@
 #include <utility>
 
 namespace folk::mpe {
-namespace {
-
-[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why) {
-  throw InputFileError(fmt::format("{}: {}", excerpt(path.string(), 1000), why));
-}
-
-}  // namespace
+namespace {}  // namespace
 
 MappedFile::MappedFile(const std::filesystem::path& path) {
   // Without O_NONBLOCK a pipe would be waited for.
   const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (file.get() < 0)
-    refuse(path, errno == ENOENT ? "no such file; check the name"
-                                 : fmt::format("cannot be opened: {}", std::strerror(errno)));
+    refuse_file(path.string(), errno == ENOENT ? "no such file; check the name"
+                                               : fmt::format("cannot be opened: {}", std::strerror(errno)));
   struct stat status {};
-  if (::fstat(file.get(), &status) != 0) refuse(path, fmt::format("cannot be read: {}", std::strerror(errno)));
-  if (!S_ISREG(status.st_mode)) refuse(path, "is no ordinary file; check the name");
+  if (::fstat(file.get(), &status) != 0)
+    refuse_file(path.string(), fmt::format("cannot be read: {}", std::strerror(errno)));
+  if (!S_ISREG(status.st_mode)) refuse_file(path.string(), "is no ordinary file; check the name");
   const auto size = static_cast<std::size_t>(status.st_size);
   if (size == 0) return;
   void* at = ::mmap(nullptr, size, PROT_READ, MAP_SHARED, file.get(), 0);
-  if (at == MAP_FAILED) refuse(path, fmt::format("cannot be mapped: {}", std::strerror(errno)));
+  if (at == MAP_FAILED) refuse_file(path.string(), fmt::format("cannot be mapped: {}", std::strerror(errno)));
   bytes_ = {static_cast<const char*>(at), size};
 }
 

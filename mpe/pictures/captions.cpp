@@ -13,7 +13,7 @@ namespace {
 using gnuplot::text_font;
 using gnuplot::title_font;
 
-constexpr double legend_row = 22;
+constexpr double legend_row_height = 22;
 constexpr double sign_radius = 7;
 constexpr double sign_middle = 13;  // from the left edge of a column
 constexpr double label_left = 31;
@@ -111,7 +111,7 @@ double heading_width(const Film& film) {
 }
 
 double legend_height(const Film& film, const ArenaView& view, double width) {
-  return legend_row * static_cast<double>(columns_of(entries(film, view), width).rows);
+  return legend_row_height * static_cast<double>(columns_of(entries(film, view), width).rows);
 }
 
 std::vector<Shape> draw_legend(const Film& film, const ArenaView& view, const Point& top_left, double width) {
@@ -120,7 +120,7 @@ std::vector<Shape> draw_legend(const Film& film, const ArenaView& view, const Po
   std::vector<Shape> shapes;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const double left = top_left.x + columns.width * static_cast<double>(i % columns.count);
-    const double middle = top_left.y + legend_row * (static_cast<double>(i / columns.count) + 0.5);
+    const double middle = top_left.y + legend_row_height * (static_cast<double>(i / columns.count) + 0.5);
     for (const auto& shape : list[i].sign({left + sign_middle, middle})) shapes.push_back(shape);
     shapes.emplace_back(Text{{left + label_left, middle}, list[i].label, text_font});
   }

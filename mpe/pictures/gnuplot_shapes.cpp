@@ -14,7 +14,7 @@ std::string colour(const Paint& paint) {
 }
 
 /// Collects what becomes data, labels and the parts of one plot command, which gnuplot draws in their order.
-struct Writer {
+struct GnuplotWriter {
   std::string data;
   std::string labels;
   std::vector<std::string> parts;
@@ -59,7 +59,7 @@ struct Writer {
 }  // namespace
 
 std::string gnuplot_script(const Picture& picture, PictureFormat format, const std::filesystem::path& output) {
-  Writer writer;
+  GnuplotWriter writer;
   for (const auto& shape : picture.shapes) std::visit(writer, shape);
   const gnuplot::Layout layout{picture.width, picture.height, 0, picture.width, 0, picture.height};
   // The axes are the picture's pixels.

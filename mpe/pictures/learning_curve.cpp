@@ -15,7 +15,7 @@ using namespace gnuplot;
 
 /// Okabe & Ito's colours, which the colour-blind can tell apart.
 constexpr std::array line_colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"};
-constexpr double legend_row = 18.5;
+constexpr double curve_row_height = 18.5;
 
 void require_sound(const LearningCurvePlot& plot) {
   if (plot.curves.empty()) throw UsageError("a learning curve's picture needs at least one run");
@@ -36,7 +36,8 @@ gnuplot::Layout layout_of(const LearningCurvePlot& plot) {
   layout.top = 44;
   layout.bottom = layout.top + 320;
   layout.width = std::max(layout.right + 24, title_width(plot.title) + 28);
-  layout.height = layout.bottom + 56 + legend_row * static_cast<double>(plot.curves.size() + plot.marks.size()) + 12;
+  layout.height =
+      layout.bottom + 56 + curve_row_height * static_cast<double>(plot.curves.size() + plot.marks.size()) + 12;
   return layout;
 }
 

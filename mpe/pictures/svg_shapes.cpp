@@ -28,7 +28,7 @@ std::string paints(const std::optional<Paint>& fill, const std::optional<Paint>&
   return text;
 }
 
-struct Writer {
+struct SvgWriter {
   std::string operator()(const Circle& circle) const {
     return fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"{}/>\n", svg_number(circle.centre.x),
                        svg_number(circle.centre.y), svg_number(circle.radius),
@@ -76,7 +76,7 @@ std::string xml_text(std::string_view text) {
 
 std::string svg_elements(const std::vector<Shape>& shapes) {
   std::string text;
-  for (const auto& shape : shapes) text += std::visit(Writer{}, shape);
+  for (const auto& shape : shapes) text += std::visit(SvgWriter{}, shape);
   return text;
 }
 

@@ -27,9 +27,7 @@ PolicyReader::PolicyReader(std::string_view bytes, std::string source)
     : source_(std::move(source)),
       file_(sct::parse_safetensors(bytes, source_)) {}
 
-void PolicyReader::refuse(const std::string& why) const {
-  throw InputFileError(fmt::format("{}: {}", excerpt(source_, 1000), why));
-}
+void PolicyReader::refuse(const std::string& why) const { refuse_file(source_, why); }
 
 std::string PolicyReader::take_word(const std::string& key) {
   const auto found = file_.metadata.find(key);

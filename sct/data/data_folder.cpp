@@ -22,10 +22,6 @@ namespace {
 constexpr std::size_t observation_size = 5;
 constexpr const char* observation_names[observation_size] = {"start", "CC", "CD", "DC", "DD"};
 
-[[noreturn]] void refuse(const fs::path& path, const std::string& why) {
-  throw InputFileError(fmt::format("{}: {}", excerpt(path.string(), 1000), why));
-}
-
 /// Which of the five numbers is 1 before this round.
 std::size_t observation(const Trajectory& trajectory, std::size_t round) {
   return round == 0 ? 0 : 1 + Outcome{trajectory.own[round - 1], trajectory.theirs[round - 1]}.index();
@@ -35,8 +31,9 @@ std::size_t observation(const Trajectory& trajectory, std::size_t round) {
 NpyArray read_array(const fs::path& path, const std::vector<std::size_t>& shape) {
   NpyArray array = read_npy(path);
   if (array.shape != shape)
-    refuse(path, fmt::format("shape ({}), but actions.npy asks for ({}); store the arrays of the same matches",
-                             fmt::join(array.shape, ", "), fmt::join(shape, ", ")));
+    refuse_file(path.string(),
+                fmt::format("shape ({}), but actions.npy asks for ({}); store the arrays of the same matches",
+                            fmt::join(array.shape, ", "), fmt::join(shape, ", ")));
   return array;
 }
 
@@ -48,7 +45,7 @@ std::vector<Move> moves(const NpyArray& array, std::size_t n, const fs::path& pa
   for (std::size_t i = n * rounds; i < (n + 1) * rounds; ++i) {
     const double value = array.values[i];
     if (value != 0 && value != 1)
-      refuse(path, fmt::format("{} at [{}]: expected 0 (C) or 1 (D)", value, npy_place(array, i)));
+      refuse_file(path.string(), fmt::format("{} at [{}]: expected 0 (C) or 1 (D)", value, npy_place(array, i)));
     row.push_back(value == 0 ? Move::C : Move::D);
   }
   return row;
@@ -62,23 +59,25 @@ void check_observations(const fs::path& path, const std::vector<Trajectory>& tra
     const std::size_t expected = observation(trajectories[i / observation_size / rounds], round);
     const double wanted = i % observation_size == expected ? 1 : 0;
     if (array.values[i] != wanted)
-      refuse(path, fmt::format("{} at [{}]: expected {}, the observation being {}; make it from the actions, or leave "
-                               "this file out",
-                               array.values[i], npy_place(array, i), wanted,
-                               round == 0 ? "'start' in the first round"
-                                          : fmt::format("{} after round {}", observation_names[expected], round - 1)));
+      refuse_file(path.string(),
+                  fmt::format("{} at [{}]: expected {}, the observation being {}; make it from the actions, or leave "
+                              "this file out",
+                              array.values[i], npy_place(array, i), wanted,
+                              round == 0 ? "'start' in the first round"
+                                         : fmt::format("{} after round {}", observation_names[expected], round - 1)));
   }
 }
 
 void read_names(const fs::path& path, std::vector<Trajectory>& trajectories) {
   const auto shallow = [](int depth, nlohmann::json::parse_event_t, nlohmann::json&) { return depth <= 2; };
   const auto json = nlohmann::json::parse(read_text_file(path), shallow, false);
-  if (!json.is_object()) refuse(path, R"(expected {"players": [...], "opponents": [...]})");
+  if (!json.is_object()) refuse_file(path.string(), R"(expected {"players": [...], "opponents": [...]})");
   const auto name = [&](const char* key, std::size_t n) {
     const auto list = json.find(key);
     if (list == json.end() || !list->is_array() || list->size() != trajectories.size())
-      refuse(path, fmt::format("'{}': expected a list of {} names", key, trajectories.size()));
-    if (!(*list)[n].is_string()) refuse(path, fmt::format("'{}' at [{}]: expected a name in quotes", key, n));
+      refuse_file(path.string(), fmt::format("'{}': expected a list of {} names", key, trajectories.size()));
+    if (!(*list)[n].is_string())
+      refuse_file(path.string(), fmt::format("'{}' at [{}]: expected a name in quotes", key, n));
     return (*list)[n].get<std::string>();
   };
   for (std::size_t n = 0; n < trajectories.size(); ++n) {
@@ -91,17 +90,19 @@ void read_names(const fs::path& path, std::vector<Trajectory>& trajectories) {
 
 std::vector<Trajectory> read_data_folder(const fs::path& folder) {
   std::error_code ignored;
-  if (!fs::is_directory(folder, ignored)) refuse(folder, "no such folder; name one that holds actions.npy");
+  if (!fs::is_directory(folder, ignored))
+    refuse_file(folder.string(), "no such folder; name one that holds actions.npy");
   const NpyArray own = read_npy(folder / "actions.npy");
   if (own.shape.size() != 2 || own.values.empty())
-    refuse(folder / "actions.npy", fmt::format("shape ({}): expected (trajectories, rounds), at least one of each",
-                                               fmt::join(own.shape, ", ")));
+    refuse_file(
+        (folder / "actions.npy").string(),
+        fmt::format("shape ({}): expected (trajectories, rounds), at least one of each", fmt::join(own.shape, ", ")));
   const NpyArray theirs = read_array(folder / "opponent_actions.npy", own.shape);
   const NpyArray rewards = read_array(folder / "rewards.npy", own.shape);
   for (std::size_t i = 0; i < rewards.values.size(); ++i)
     if (!std::isfinite(rewards.values[i]))
-      refuse(folder / "rewards.npy",
-             fmt::format("{} at [{}]: expected a finite payoff", rewards.values[i], npy_place(rewards, i)));
+      refuse_file((folder / "rewards.npy").string(),
+                  fmt::format("{} at [{}]: expected a finite payoff", rewards.values[i], npy_place(rewards, i)));
 
   std::vector<Trajectory> trajectories(own.shape[0]);
   const std::size_t rounds = own.shape[1];

@@ -33,10 +33,6 @@ constexpr double largest_whole = 9007199254740992.0;                            
 constexpr std::array all_types = {NpyType::float32, NpyType::float64, NpyType::int32,  NpyType::int64,
                                   NpyType::int8,    NpyType::uint8,   NpyType::boolean};
 
-[[noreturn]] void refuse(const std::string& source, const std::string& why) {
-  throw InputFileError(fmt::format("{}: {}", excerpt(source, 1000), why));
-}
-
 /// What the header's dictionary says.
 struct Dictionary {
   std::optional<std::string> type;
@@ -67,7 +63,7 @@ public:
 
 private:
   [[noreturn]] void damaged(const std::string& what) const {
-    refuse(source_, fmt::format("damaged header: {}; write the array again with numpy.save", what));
+    refuse_file(source_, fmt::format("damaged header: {}; write the array again with numpy.save", what));
   }
 
   void skip_blanks() {
@@ -102,7 +98,7 @@ private:
 
   void read_value(const std::string& key) {
     if (key == "descr") {
-      if (next_is('[')) refuse(source_, "an array of records; store one array of numbers a file");
+      if (next_is('[')) refuse_file(source_, "an array of records; store one array of numbers a file");
       once(found_.type, key) = text();
     } else if (key == "fortran_order") {
       once(found_.fortran_order, key) = truth();
@@ -156,22 +152,24 @@ private:
 
 /// The header's text; `bytes` loses all that stands before the numbers.
 std::string_view take_header(std::string_view& bytes, const std::string& source) {
-  if (bytes.empty()) refuse(source, "an empty file; write the array again with numpy.save");
-  if (!bytes.starts_with(magic)) refuse(source, "no .npy file; write the array with numpy.save");
+  if (bytes.empty()) refuse_file(source, "an empty file; write the array again with numpy.save");
+  if (!bytes.starts_with(magic)) refuse_file(source, "no .npy file; write the array with numpy.save");
   const char* truncated = "ends within its header; take a fresh copy";
-  if (bytes.size() < magic.size() + 2) refuse(source, truncated);
+  if (bytes.size() < magic.size() + 2) refuse_file(source, truncated);
   const auto version = static_cast<unsigned char>(bytes[magic.size()]);
   if (version < 1 || version > 3 || bytes[magic.size() + 1] != 0)
-    refuse(source, fmt::format("version {}.{} of the .npy format: expected 1.0, 2.0 or 3.0; write it with numpy.save",
-                               version, static_cast<unsigned char>(bytes[magic.size() + 1])));
+    refuse_file(source,
+                fmt::format("version {}.{} of the .npy format: expected 1.0, 2.0 or 3.0; write it with numpy.save",
+                            version, static_cast<unsigned char>(bytes[magic.size() + 1])));
   bytes.remove_prefix(magic.size() + 2);
   const std::size_t length_bytes = version == 1 ? 2 : 4;
-  if (bytes.size() < length_bytes) refuse(source, truncated);
+  if (bytes.size() < length_bytes) refuse_file(source, truncated);
   const std::size_t length =
       version == 1 ? load_little_endian<std::uint16_t>(bytes) : load_little_endian<std::uint32_t>(bytes);
   bytes.remove_prefix(length_bytes);
-  if (length > bytes.size()) refuse(source, truncated);
-  if (length > longest_header) refuse(source, fmt::format("a header of {} bytes; store one array of numbers", length));
+  if (length > bytes.size()) refuse_file(source, truncated);
+  if (length > longest_header)
+    refuse_file(source, fmt::format("a header of {} bytes; store one array of numbers", length));
   const std::string_view header = bytes.substr(0, length);
   bytes.remove_prefix(length);
   return header;
@@ -180,8 +178,9 @@ std::string_view take_header(std::string_view& bytes, const std::string& source)
 NpyType type_of(const std::string& descr, const std::string& source) {
   for (const NpyType type : all_types)
     if (descr == to_string(type)) return type;
-  refuse(source, fmt::format("numbers of type '{}': expected <f4, <f8, <i4, <i8, |i1, |u1 or |b1; convert with astype",
-                             excerpt(descr)));
+  refuse_file(source,
+              fmt::format("numbers of type '{}': expected <f4, <f8, <i4, <i8, |i1, |u1 or |b1; convert with astype",
+                          excerpt(descr)));
 }
 
 /// The shape's product where it is no more than `most`; a shape with a 0 may have any other sizes.
@@ -229,14 +228,14 @@ NpyHeader parse_npy_header(std::string_view bytes, const std::string& source, st
   const Dictionary dictionary = DictionaryReader(take_header(numbers, source), source).read();
   const NpyHeader header{type_of(*dictionary.type, source), *dictionary.shape, bytes.size() - numbers.size()};
   if (*dictionary.fortran_order && header.shape.size() > 1)
-    refuse(source, "in Fortran order; store numpy.ascontiguousarray of it");
+    refuse_file(source, "in Fortran order; store numpy.ascontiguousarray of it");
   most = std::min(most, largest_count);
   const auto count = product(header.shape, most);
-  if (!count) refuse(source, fmt::format("more than {} numbers; split the array into several files", most));
+  if (!count) refuse_file(source, fmt::format("more than {} numbers; split the array into several files", most));
   const std::size_t asked = *count * bytes_of(header.type);
   if (numbers.size() != asked)
-    refuse(source, fmt::format("{} bytes of numbers, but shape ({}) of {} asks for {}; take a fresh copy",
-                               numbers.size(), fmt::join(header.shape, ", "), to_string(header.type), asked));
+    refuse_file(source, fmt::format("{} bytes of numbers, but shape ({}) of {} asks for {}; take a fresh copy",
+                                    numbers.size(), fmt::join(header.shape, ", "), to_string(header.type), asked));
   return header;
 }
 
@@ -256,8 +255,8 @@ NpyArray parse_npy(std::string_view bytes, const std::string& source) {
       const bool wrong =
           type == NpyType::boolean ? number > 1 : type == NpyType::int64 && std::abs(value) >= largest_whole;
       if (wrong)
-        refuse(source, fmt::format("{} at [{}]: expected {}", number, npy_place(array, i),
-                                   type == NpyType::boolean ? "a truth value, 0 or 1" : "less than 2^53"));
+        refuse_file(source, fmt::format("{} at [{}]: expected {}", number, npy_place(array, i),
+                                        type == NpyType::boolean ? "a truth value, 0 or 1" : "less than 2^53"));
       array.values.push_back(value);
     }
   });

@@ -14,12 +14,8 @@ namespace folk::sct {
 namespace {
 
 constexpr std::size_t length_bytes = 8;
-constexpr std::size_t most_dimensions = 8;
+constexpr std::size_t most_tensor_dimensions = 8;
 constexpr const char* metadata_name = "__metadata__";
-
-[[noreturn]] void refuse(const std::string& source, const std::string& why) {
-  throw InputFileError(fmt::format("{}: {}", excerpt(source, 1000), why));
-}
 
 /// One entry of the header while it is read.
 struct Entry {
@@ -90,8 +86,9 @@ public:
 
   bool number_unsigned(std::uint64_t number) override {
     if (array_ == nullptr) unexpected("a number");
-    if (array_->size() == most_dimensions)
-      refuse_header(fmt::format("tensor '{}': {} has more than {} numbers", excerpt(name_), field_, most_dimensions));
+    if (array_->size() == most_tensor_dimensions)
+      refuse_header(
+          fmt::format("tensor '{}': {} has more than {} numbers", excerpt(name_), field_, most_tensor_dimensions));
     array_->push_back(number);
     return true;
   }
@@ -108,7 +105,7 @@ public:
 
 private:
   [[noreturn]] void refuse_header(const std::string& what) const {
-    refuse(source_, fmt::format("damaged header: {}; take a fresh copy of the file", what));
+    refuse_file(source_, fmt::format("damaged header: {}; take a fresh copy of the file", what));
   }
 
   [[noreturn]] void unexpected(const char* what) const {
@@ -138,27 +135,28 @@ private:
 /// The JSON between the length and the data.
 std::string_view header_text(std::string_view bytes, const std::string& source) {
   constexpr const char* foreign = "no safetensors file";
-  if (bytes.empty()) refuse(source, "an empty file; take a fresh copy");
+  if (bytes.empty()) refuse_file(source, "an empty file; take a fresh copy");
   if (bytes.size() <= length_bytes)
-    refuse(source, fmt::format("{}: only {} bytes; check the name", foreign, bytes.size()));
-  if (bytes[length_bytes] != '{') refuse(source, fmt::format("{}: no JSON header; check the name", foreign));
+    refuse_file(source, fmt::format("{}: only {} bytes; check the name", foreign, bytes.size()));
+  if (bytes[length_bytes] != '{') refuse_file(source, fmt::format("{}: no JSON header; check the name", foreign));
   const auto length = load_little_endian<std::uint64_t>(bytes);
   if (length > longest_safetensors_header)
-    refuse(source, fmt::format("no policy: a header of {} bytes, beyond {} MiB; check the name", length,
-                               longest_safetensors_header >> 20U));
+    refuse_file(source, fmt::format("no policy: a header of {} bytes, beyond {} MiB; check the name", length,
+                                    longest_safetensors_header >> 20U));
   if (length > bytes.size() - length_bytes)
-    refuse(source, fmt::format("ends within its header of {} bytes; take a fresh copy of the file", length));
+    refuse_file(source, fmt::format("ends within its header of {} bytes; take a fresh copy of the file", length));
   const auto text = bytes.substr(length_bytes, static_cast<std::size_t>(length));
   // The JSON parser takes it for the end.
   if (const auto zero = text.find('\0'); zero != std::string_view::npos)
-    refuse(source, fmt::format("damaged header: a zero at its byte {}; take a fresh copy of the file", zero + 1));
+    refuse_file(source, fmt::format("damaged header: a zero at its byte {}; take a fresh copy of the file", zero + 1));
   return text;
 }
 
 /// The tensor's own bytes.
 std::string_view slice(std::string_view data, const std::string& name, const Entry& entry, const std::string& source) {
   const auto damaged = [&](const std::string& what) {
-    refuse(source, fmt::format("damaged header: tensor '{}' {}; take a fresh copy of the file", excerpt(name), what));
+    refuse_file(source,
+                fmt::format("damaged header: tensor '{}' {}; take a fresh copy of the file", excerpt(name), what));
   };
   if (!entry.dtype) damaged("has no dtype");
   if (!entry.shape) damaged("has no shape");
@@ -167,8 +165,9 @@ std::string_view slice(std::string_view data, const std::string& name, const Ent
   const std::uint64_t end = (*entry.offsets)[1];
   if (begin > end) damaged(fmt::format("ends at {}, before its begin at {}", end, begin));
   if (end > data.size())
-    refuse(source, fmt::format("truncated: tensor '{}' ends at byte {} of the data, which has {}; take a fresh copy",
-                               excerpt(name), end, data.size()));
+    refuse_file(source,
+                fmt::format("truncated: tensor '{}' ends at byte {} of the data, which has {}; take a fresh copy",
+                            excerpt(name), end, data.size()));
   return data.substr(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin));
 }
 
@@ -182,14 +181,15 @@ void check_cover(const SafetensorsFile& file, std::string_view data, const std::
   const char* reached = data.data();
   for (const auto& [part, name] : parts) {
     if (part.data() != reached)
-      refuse(source, fmt::format("damaged header: tensor '{}' begins at byte {} of the data, {} {}; take a fresh copy",
-                                 excerpt(*name), part.data() - data.data(),
-                                 part.data() < reached ? "inside another, which ends at" : "but the one before ends at",
-                                 reached - data.data()));
+      refuse_file(source,
+                  fmt::format("damaged header: tensor '{}' begins at byte {} of the data, {} {}; take a fresh copy",
+                              excerpt(*name), part.data() - data.data(),
+                              part.data() < reached ? "inside another, which ends at" : "but the one before ends at",
+                              reached - data.data()));
     reached += part.size();
   }
   const auto left = data.size() - static_cast<std::size_t>(reached - data.data());
-  if (left > 0) refuse(source, fmt::format("{} bytes too many at its end; take a fresh copy of the file", left));
+  if (left > 0) refuse_file(source, fmt::format("{} bytes too many at its end; take a fresh copy of the file", left));
 }
 
 }  // namespace

@@ -6,11 +6,13 @@
 namespace folk {
 namespace {
 
-enum Plan : unsigned { tit_for_tat = 0, tit_for_two_tats = 1, all_d = 2, all_d_for_ever = 3 };
+struct Plan {
+  enum : unsigned { tit_for_tat = 0, tit_for_two_tats = 1, all_d = 2, all_d_for_ever = 3 };
+};
 
 /// What mem2 keeps of a match.
 struct Memo {
-  unsigned plan = tit_for_tat;
+  unsigned plan = Plan::tit_for_tat;
   unsigned last = 0;           // outcome of the last round
   unsigned before = 0;         // outcome of the round before
   bool odd = false;            // an odd number of rounds has been played
@@ -32,11 +34,11 @@ struct Memo {
     const bool both_cooperated = by_payoffs ? sum == 6 : last == 0 && before == 0;
     const bool took_turns = by_payoffs ? sum == 5 : last != before && last + before == 3 && last != 0 && before != 0;
     if (both_cooperated) {
-      plan = tit_for_tat;
+      plan = Plan::tit_for_tat;
     } else if (took_turns) {
-      plan = tit_for_two_tats;
+      plan = Plan::tit_for_two_tats;
     } else {
-      plan = defected_once ? all_d_for_ever : all_d;
+      plan = defected_once ? Plan::all_d_for_ever : Plan::all_d;
       defected_once = true;
     }
   }
@@ -51,22 +53,22 @@ double Mem2Machine::cooperation(State state) const {
   const bool last_defected = all_outcomes[memo.last].theirs == Move::D;
   const bool before_defected = all_outcomes[memo.before].theirs == Move::D;
   switch (memo.plan) {
-    case tit_for_tat: return last_defected ? 0 : 1;
-    case tit_for_two_tats: return last_defected && before_defected ? 0 : 1;
+    case Plan::tit_for_tat: return last_defected ? 0 : 1;
+    case Plan::tit_for_two_tats: return last_defected && before_defected ? 0 : 1;
     default: return 0;
   }
 }
 
 State Mem2Machine::next(State state, Move own, Move theirs) const {
   Memo memo = Memo::unpack(state);
-  if (memo.plan == all_d_for_ever) return Memo{.plan = all_d_for_ever}.pack();
+  if (memo.plan == Plan::all_d_for_ever) return Memo{.plan = Plan::all_d_for_ever}.pack();
   memo.before = memo.last;
   memo.last = static_cast<unsigned>(Outcome{own, theirs}.index());
   memo.odd = !memo.odd;
   if (memory_ == Memory::stored_twice && memo.late) memo.before = memo.last;
   if (!memo.odd || (memory_ == Memory::stored_twice && memo.late)) memo.choose(memory_ == Memory::stored_twice);
   if (memory_ == Memory::stored_twice && !memo.odd) memo.late = true;
-  if (memo.plan == all_d_for_ever) return Memo{.plan = all_d_for_ever}.pack();
+  if (memo.plan == Plan::all_d_for_ever) return Memo{.plan = Plan::all_d_for_ever}.pack();
   return memo.pack();
 }
 

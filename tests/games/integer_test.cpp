@@ -20,6 +20,9 @@ constexpr std::int64_t most_word = std::numeric_limits<std::int64_t>::max();
 cpp_int reference(const Integer& value) { return cpp_int(value.str()); }
 
 /// Equal, and kept as it must be: a number that fits a word in one.
+/// One object by two names: a compiler warns of x -= x.
+const Integer& itself(const Integer& value) { return value; }
+
 void expect_same(const Integer& value, const cpp_int& expected) {
   RC_ASSERT(value.str() == expected.str());
   RC_ASSERT(value.fits_word() == (expected >= least_word && expected <= most_word));
@@ -47,16 +50,16 @@ RC_GTEST_PROP(Integer, ChangesInPlaceAreTheOperators, (const Integer& a, const I
 RC_GTEST_PROP(Integer, ANumberMayMeetItself, (const Integer& a)) {
   const cpp_int expected = reference(a);
   Integer changed = a;
-  expect_same(changed += changed, expected + expected);
+  expect_same(changed += itself(changed), expected + expected);
   changed = a;
-  expect_same(changed *= changed, expected * expected);
+  expect_same(changed *= itself(changed), expected * expected);
   changed = a;
-  expect_same(changed -= changed, 0);
+  expect_same(changed -= itself(changed), 0);
   if (a.is_zero()) return;
   changed = a;
-  expect_same(changed /= changed, 1);
+  expect_same(changed /= itself(changed), 1);
   changed = a;
-  expect_same(changed %= changed, 0);
+  expect_same(changed %= itself(changed), 0);
 }
 
 RC_GTEST_PROP(Integer, QuotientsAndCommonDivisorsAreTheLibrarys, (const Integer& a, const Integer& b)) {

@@ -23,12 +23,12 @@
 namespace folk::tools {
 namespace {
 
-constexpr const char* name = "mpe-train collect";
+constexpr const char* collect_name = "mpe-train collect";
 constexpr std::uint64_t most_transitions = 100'000'000'000;
 
-Program program() {
+Program collect_program() {
   Program program;
-  program.name = name;
+  program.name = collect_name;
   program.usage = "--output DIR (--level LEVEL | --predators PLAYER) [options]";
   program.summary =
       "Plays episodes of the particle world and writes every step as a data set for offline learners: obs_i, acs_i,\n"
@@ -132,9 +132,9 @@ int collect(const po::variables_map& values, const Common& common) {
 
   const auto collection = collected(layout, cast, description, folder, rules, common);
   if (!common.quiet && collection.end == mpe::Collection::End::was_there)
-    say(name, fmt::format("{}: this very data set is there already", excerpt(folder, 1000)));
+    say(collect_name, fmt::format("{}: this very data set is there already", excerpt(folder, 1000)));
   else if (!common.quiet && rules.resume)
-    say(name, fmt::format("{} of {} episodes were there already", collection.kept, description.episodes));
+    say(collect_name, fmt::format("{} of {} episodes were there already", collection.kept, description.episodes));
   const auto report = data_report(folder, scenario, collection.record);
   if (common.format == Format::json)
     write_json(std::cout, report);
@@ -145,6 +145,6 @@ int collect(const po::variables_map& values, const Common& common) {
 
 }  // namespace
 
-int mpe_collect(int argc, char** argv) { return run(argc, argv, program(), {"text", "json"}, collect); }
+int mpe_collect(int argc, char** argv) { return run(argc, argv, collect_program(), {"text", "json"}, collect); }
 
 }  // namespace folk::tools

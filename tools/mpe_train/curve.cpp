@@ -17,7 +17,7 @@
 namespace folk::tools {
 namespace {
 
-Program program() {
+Program curve_program() {
   Program program;
   program.name = "mpe-train curve";
   program.usage = "FILE.csv... --output FILE.svg [options]";
@@ -58,6 +58,6 @@ int draw_curves(const po::variables_map& values, const Common&) {
 
 }  // namespace
 
-int mpe_curve(int argc, char** argv) { return run(argc, argv, program(), {}, draw_curves); }
+int mpe_curve(int argc, char** argv) { return run(argc, argv, curve_program(), {}, draw_curves); }
 
 }  // namespace folk::tools

@@ -13,7 +13,7 @@
 namespace folk::tools {
 namespace {
 
-Program program() {
+Program inspect_program() {
   Program program;
   program.name = "mpe-train inspect";
   program.usage = "DIR [options]";
@@ -50,6 +50,6 @@ int inspect(const po::variables_map& values, const Common& common) {
 
 }  // namespace
 
-int mpe_inspect(int argc, char** argv) { return run(argc, argv, program(), {"text", "json"}, inspect); }
+int mpe_inspect(int argc, char** argv) { return run(argc, argv, inspect_program(), {"text", "json"}, inspect); }
 
 }  // namespace folk::tools

@@ -17,7 +17,7 @@
 namespace folk::tools {
 namespace {
 
-Program program() {
+Program train_program() {
   Program program;
   program.name = "mpe-train";
   program.usage = "online|curve|collect|inspect|offline|study [options]";
@@ -50,7 +50,7 @@ int main(int argc, char** argv) {
   if (verb == "inspect") return mpe_inspect(argc - 1, argv + 1);
   if (verb == "offline") return mpe_offline(argc - 1, argv + 1);
   if (verb == "study") return mpe_study(argc - 1, argv + 1);
-  return run(argc, argv, program(), {}, [](const po::variables_map&, const Common&) -> int {
+  return run(argc, argv, train_program(), {}, [](const po::variables_map&, const Common&) -> int {
     throw folk::UsageError("what to do? give online, curve, collect, inspect, offline or study; see mpe-train --help");
   });
 }

@@ -30,11 +30,11 @@ using Json = nlohmann::ordered_json;
 using mpe::LearnerChoice;
 using mpe::OfflineTraining;
 
-constexpr const char* name = "mpe-train offline";
+constexpr const char* offline_name = "mpe-train offline";
 
-Program program() {
+Program offline_program() {
   Program program;
-  program.name = name;
+  program.name = offline_name;
   program.usage = "--learner LEARNER --data DIR --output FILE [options]";
   program.summary =
       "Trains predators of the particle world from a data set alone (mpe-train collect, or others' in that form):\n"
@@ -117,12 +117,12 @@ LearnerChoice choice_of(const po::variables_map& values) {
 }
 
 /// Where a run's results go.
-struct Files {
+struct OfflineFiles {
   fs::path output, curve;
 };
 
-Files files_of(const po::variables_map& values) {
-  Files files;
+OfflineFiles files_of(const po::variables_map& values) {
+  OfflineFiles files;
   files.output = text_option(values, "output", "predators.safetensors");
   if (files.output.empty()) throw UsageError("--output: name the file of the policy");
   files.curve = text_option(values, "curve", fs::path(files.output).replace_extension(".csv").string());
@@ -171,7 +171,7 @@ void write_curve(std::ostream& out, const OfflineTraining& training) {
 }
 
 void write_text(std::ostream& out, const OfflineTraining& training, const LearnerChoice& choice,
-                const mpe::DataSet& data, const Files& files) {
+                const mpe::DataSet& data, const OfflineFiles& files) {
   out << fmt::format("{} on {} ({}, {} transitions), seed {}\n\n", to_string(choice.kind), excerpt(data.source(), 1000),
                      data.scenario().name, data.transitions(), choice.seed);
   std::vector<std::string> header{"steps"};
@@ -189,7 +189,7 @@ void write_text(std::ostream& out, const OfflineTraining& training, const Learne
 }
 
 void write_json(std::ostream& out, const OfflineTraining& training, const std::map<std::string, std::string>& notes,
-                const Files& files) {
+                const OfflineFiles& files) {
   Json json{{"notes", notes}, {"steps", training.steps()}, {"losses", Json::array()}};
   for (const auto& point : training.curve()) {
     Json row{{"steps", point.steps}};
@@ -203,9 +203,10 @@ void write_json(std::ostream& out, const OfflineTraining& training, const std::m
 void train(OfflineTraining& training, const mpe::TrainingWatch& rules, const Common& common) {
   mpe::TrainingWatch watch = rules;
   watch.note = [&](const std::string& fault) {
-    if (!common.quiet) say(name, fmt::format("note: {}; the one before is taken", fault));
+    if (!common.quiet) say(offline_name, fmt::format("note: {}; the one before is taken", fault));
   };
-  if (mpe::resume(training, watch) && !common.quiet) say(name, fmt::format("resumed at step {}", training.steps()));
+  if (mpe::resume(training, watch) && !common.quiet)
+    say(offline_name, fmt::format("resumed at step {}", training.steps()));
   const Interruption interruption;
   ProgressBar bar("training", !common.quiet);
   try {
@@ -233,7 +234,7 @@ int offline(const po::variables_map& values, const Common& common) {
   require_readable(learner->policy({}).size());
   const auto description = mpe::run_description(data, choice, *learner);
   OfflineTraining training(std::move(learner), description, mpe::learner_steps(data, choice));
-  const auto folder = checkpoint_folder<sct::CheckpointFiles>(values, common, name);
+  const auto folder = checkpoint_folder<sct::CheckpointFiles>(values, common, offline_name);
   mpe::TrainingWatch watch;
   watch.folder = folder.get();
   watch.checkpoint_every = checkpoint_every;
@@ -256,6 +257,6 @@ int offline(const po::variables_map& values, const Common& common) {
 
 }  // namespace
 
-int mpe_offline(int argc, char** argv) { return run(argc, argv, program(), {"text", "csv", "json"}, offline); }
+int mpe_offline(int argc, char** argv) { return run(argc, argv, offline_program(), {"text", "csv", "json"}, offline); }
 
 }  // namespace folk::tools

@@ -33,11 +33,11 @@ namespace fs = std::filesystem;
 using mpe::OnlineTraining;
 using mpe::Side;
 
-constexpr const char* name = "mpe-train online";
+constexpr const char* online_name = "mpe-train online";
 
-Program program() {
+Program online_program() {
   Program program;
-  program.name = name;
+  program.name = online_name;
   program.usage = "[options]";
   program.summary =
       "Trains the predators of the particle world by MATD3 or MADDPG against a prey, or all four agents together, and\n"
@@ -66,14 +66,14 @@ Program program() {
 }
 
 /// Where a run's results go.
-struct Files {
+struct OnlineFiles {
   fs::path output, curve, picture;
   fs::path medium, prey;  // empty where not asked for
   bool draws = true;
 };
 
-Files files_of(const po::variables_map& values, bool prey_learns) {
-  Files files;
+OnlineFiles files_of(const po::variables_map& values, bool prey_learns) {
+  OnlineFiles files;
   files.output = text_option(values, "output", "predators.safetensors");
   files.curve = text_option(values, "curve", fs::path(files.output).replace_extension(".csv").string());
   files.picture = text_option(values, "picture", fs::path(files.output).replace_extension(".svg").string());
@@ -129,10 +129,10 @@ double half_way(const OnlineTraining& training, const mpe::Controller& prey, dou
   return (random + best) / 2;
 }
 
-class Run {
+class OnlineRun {
 public:
-  Run(OnlineTraining& training, const Files& files, sct::CheckpointFiles* folder, std::string description,
-      std::uint64_t checkpoint_every, const Common& common)
+  OnlineRun(OnlineTraining& training, const OnlineFiles& files, sct::CheckpointFiles* folder, std::string description,
+            std::uint64_t checkpoint_every, const Common& common)
       : training_(training),
         files_(files),
         folder_(folder),
@@ -143,14 +143,14 @@ public:
   void resume() {
     if (folder_ == nullptr) return;
     const auto note = [&](const std::string& fault) {
-      if (!common_.quiet) say(name, fmt::format("note: {}; the one before is taken", fault));
+      if (!common_.quiet) say(online_name, fmt::format("note: {}; the one before is taken", fault));
     };
     const bool found =
         folder_->read_newest([&](std::string_view bytes,
                                  const std::string& source) { mpe::restore(training_, bytes, source, description_); },
                              note);
     saved_ = training_.episodes();
-    if (found && !common_.quiet) say(name, fmt::format("resumed at episode {}", training_.episodes()));
+    if (found && !common_.quiet) say(online_name, fmt::format("resumed at episode {}", training_.episodes()));
   }
 
   void train() {
@@ -189,7 +189,7 @@ private:
   }
 
   OnlineTraining& training_;
-  const Files& files_;
+  const OnlineFiles& files_;
   sct::CheckpointFiles* folder_;
   std::string description_;
   std::uint64_t checkpoint_every_;
@@ -209,7 +209,7 @@ mpe::Policy noted(const OnlineTraining& training, std::size_t evaluation, Side s
   return policy;
 }
 
-int train(const po::variables_map& values, const Common& common) {
+int online(const po::variables_map& values, const Common& common) {
   const auto scenario = chosen_scenario(values);
   auto settings = online_settings(values);
   settings.threads =
@@ -222,11 +222,11 @@ int train(const po::variables_map& values, const Common& common) {
   OnlineTraining training(scenario, settings, prey);
   const auto text = mpe::description(training, described_prey(prey));
   const auto checkpoint_every = whole_option(values, "checkpoint-every", 6400, 1, 1'000'000'000);
-  const auto folder = checkpoint_folder<sct::CheckpointFiles>(values, common, name);
+  const auto folder = checkpoint_folder<sct::CheckpointFiles>(values, common, online_name);
 
-  Run run(training, files, folder.get(), text, checkpoint_every, common);
-  run.resume();
-  run.train();
+  OnlineRun one(training, files, folder.get(), text, checkpoint_every, common);
+  one.resume();
+  one.train();
 
   OnlineReport report{training, text, kept_evaluation(training), std::nullopt, files.output, files.curve, {}, {}, {}};
   mpe::write_policy(files.output, noted(training, report.kept, Side::predators, text));
@@ -244,7 +244,8 @@ int train(const po::variables_map& values, const Common& common) {
     draw_evaluations(training, report.kept, files.picture);
     report.picture = files.picture;
   } else if (!common.quiet) {
-    say(name, "note: no picture of the evaluations is drawn, gnuplot is not installed: apt-get install gnuplot-nox");
+    say(online_name,
+        "note: no picture of the evaluations is drawn, gnuplot is not installed: apt-get install gnuplot-nox");
   }
   write_report(std::cout, report, common.format);
   return done;
@@ -252,6 +253,6 @@ int train(const po::variables_map& values, const Common& common) {
 
 }  // namespace
 
-int mpe_online(int argc, char** argv) { return run(argc, argv, program(), {"text", "csv", "json"}, train); }
+int mpe_online(int argc, char** argv) { return run(argc, argv, online_program(), {"text", "csv", "json"}, online); }
 
 }  // namespace folk::tools

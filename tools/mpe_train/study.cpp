@@ -30,11 +30,11 @@ using mpe::StudyJob;
 using mpe::StudyRecord;
 using mpe::StudySettings;
 
-constexpr const char* name = "mpe-train study";
+constexpr const char* study_name = "mpe-train study";
 
-Program program() {
+Program study_program() {
   Program program;
-  program.name = name;
+  program.name = study_name;
   program.usage = "--output DIR [options]";
   program.summary =
       "The comparison of offline learners of the paper (arXiv 2310.04579) on the particle world: collects the data,\n"
@@ -68,7 +68,6 @@ public:
          bool enabled)
       : all_(all),
         done_(done),
-        settings_(settings),
         threads_(threads),
         enabled_(enabled),
         bar_("study", enabled) {
@@ -108,7 +107,7 @@ public:
   void line(const std::string& text) {
     if (!enabled_) return;
     bar_.make_way();
-    say(name, text);
+    say(study_name, text);
   }
 
 private:
@@ -119,7 +118,6 @@ private:
 
   std::size_t all_;
   std::size_t done_;
-  const StudySettings& settings_;
   unsigned threads_;
   bool enabled_;
   ProgressBar bar_;
@@ -205,6 +203,6 @@ int study(const po::variables_map& values, const Common& common) {
 
 }  // namespace
 
-int mpe_study(int argc, char** argv) { return run(argc, argv, program(), {}, study); }
+int mpe_study(int argc, char** argv) { return run(argc, argv, study_program(), {}, study); }
 
 }  // namespace folk::tools

@@ -22,10 +22,10 @@ using mpe::ToPaper;
 Html heading(int level, const Html& content) { return element(fmt::format("h{}", level), content) + "\n"; }
 Html paragraph(const Html& content) { return element("p", content) + "\n"; }
 Html small(const std::string& text) { return element_of("small", "beside", text); }
-Html not_run() { return element_of("span", "none", "not run"); }
+Html nothing_run() { return element_of("span", "none", "not run"); }
 
 Html cell_html(const std::optional<Cell>& cell, int decimals) {
-  if (!cell) return not_run();
+  if (!cell) return nothing_run();
   return Html(fmt::format("{} ± {} ", fixed(cell->mean, decimals), fixed(cell->ci95, decimals))) +
          element("small", fmt::format("({})", cell->seeds));
 }
@@ -211,7 +211,7 @@ Html data_section(const StudyTables& tables, const DrawnPictures& pictures) {
   Html html = heading(2, data_title(tables));
   for (const auto& line : tables.diverged) html += paragraph("Diverged: " + line);
   const auto scores = mpe::score_blocks(tables);
-  if (!any_begun(scores)) return html + paragraph(not_run());
+  if (!any_begun(scores)) return html + paragraph(nothing_run());
   const auto same = [](const std::string& column) { return column; };
   html += heading(3, "Scores");
   if (const auto count = score_count(tables); count.compared > 0)

@@ -68,7 +68,7 @@ figure img { display: block; height: auto; }
 }
 )";
 
-std::string title_of(const SceQuestion& question, const SceReport& report) {
+std::string page_title(const SceQuestion& question, const SceReport& report) {
   return question.policy.name + " against " +
          (report.opponents.size() == 1 ? report.opponents.front().opponent
                                        : fmt::format("the {} of {}", report.opponents.size(), question.opponents_spec));
@@ -111,7 +111,7 @@ Html overall_beliefs(const SceReport& report, const Pictures& pictures) {
 
 Html body_of(const SceQuestion& question, const SceReport& report, const Pictures& pictures) {
   const bool several = report.opponents.size() > 1;
-  Html html = element("h1", title_of(question, report)) + "\n";
+  Html html = element("h1", page_title(question, report)) + "\n";
   html += element("h2", several ? "Verdicts: the worst of all opponents" : "Verdicts") + "\n";
   html += verdict_table(report.verdicts, several ? &report.worst : nullptr);
   html += question_list(question);
@@ -137,7 +137,7 @@ std::string html_page(const SceQuestion& question, const SceReport& report) {
   const Html head = Html::markup(
                         "<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, "
                         "initial-scale=1\">\n") +
-                    element("title", "sce-check: " + title_of(question, report)) + "\n" +
+                    element("title", "sce-check: " + page_title(question, report)) + "\n" +
                     element("style", Html::markup(style)) + "\n";
   const Html body = element("body", Html("\n") + body_of(question, report, pictures));
   return "<!DOCTYPE html>\n" +

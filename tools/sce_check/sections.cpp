@@ -19,7 +19,7 @@ Html paragraph(const Html& content) { return element("p", content) + "\n"; }
 
 Html heading(int level, const Html& content) { return element(fmt::format("h{}", level), content) + "\n"; }
 
-Html path_of(const OpponentReport& report) {
+Html path_section(const OpponentReport& report) {
   Html html;
   if (report.path)
     html += paragraph(Html("Path, own move first: ") +
@@ -37,12 +37,12 @@ Html path_of(const OpponentReport& report) {
   return html + table.html();
 }
 
-Html beliefs_of(const OpponentReport& report, const std::string& policy, const Pictures& pictures) {
+Html beliefs_section(const OpponentReport& report, const std::string& policy, const Pictures& pictures) {
   if (!report.belief) return {};
   return heading(3, "Beliefs") + pictures.beliefs(report, policy) + belief_list(*report.belief, report.effect);
 }
 
-Html gaps_of(const OpponentReport& report, const std::string& policy) {
+Html gaps_section(const OpponentReport& report, const std::string& policy) {
   HtmlTable table({"what can be gained", "by", "gain", "how"}, {"claim", "name", "number", "long"});
   for (const Notion notion : all_notions) {
     if (notion == Notion::beliefs) continue;
@@ -63,7 +63,7 @@ Html gaps_of(const OpponentReport& report, const std::string& policy) {
   return html;
 }
 
-Html thresholds_of(const OpponentReport& report, const std::string& policy) {
+Html thresholds_section(const OpponentReport& report, const std::string& policy) {
   if (!report.thresholds) return {};
   HtmlTable table({"discounted", "holds for d in", "what binds at the ends (histories with the policy's move first)"},
                   {"claim", "number", "long"});
@@ -79,7 +79,7 @@ Html thresholds_of(const OpponentReport& report, const std::string& policy) {
   return heading(3, "Discount factors") + table.html();
 }
 
-Html machine_of(const SceQuestion& question, const Strategy& opponent, const Pictures& pictures) {
+Html machine_section(const SceQuestion& question, const Strategy& opponent, const Pictures& pictures) {
   if (!opponent.machine) return {};
   if (question.policy.machine && opponent.name == question.policy.name) return {};  // drawn already
   return heading(3, Html("The automaton of ") + opponent.name) + pictures.machine(opponent.name, *opponent.machine);
@@ -134,12 +134,12 @@ Html opponent_section(const SceQuestion& question, const SceReport& report, std:
   Html html = heading(2, Html("Against ") + one.opponent);
   html += paragraph(fmt::format("Score {} : {} ({}).", payoff_text(one.own_score), payoff_text(one.their_score),
                                 to_string(one.method)));
-  html += path_of(one);
+  html += path_section(one);
   if (report.opponents.size() > 1) html += heading(3, "Verdicts") + verdict_table(one.verdicts, nullptr);
-  html += beliefs_of(one, policy, pictures);
-  html += gaps_of(one, policy);
-  html += thresholds_of(one, policy);
-  html += machine_of(question, question.opponents[opponent], pictures);
+  html += beliefs_section(one, policy, pictures);
+  html += gaps_section(one, policy);
+  html += thresholds_section(one, policy);
+  html += machine_section(question, question.opponents[opponent], pictures);
   if (report.opponents.size() > 1) html += element_of("p", "back", link("opponents", "all opponents")) + "\n";
   return element("section", html, {{"id", opponent_id(opponent)}}) + "\n";
 }

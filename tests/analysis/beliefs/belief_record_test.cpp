@@ -8,13 +8,14 @@
 
 #include <algorithm>
 
+#include "strategies/named.h"
+
 namespace folk {
 namespace {
 
 using test::believer;
 using test::expect_error;
-
-std::vector<Strategy> roster(const std::string& spec) { return Registry::standard().roster(spec); }
+using test::roster;
 
 Sampling over(std::uint64_t rounds, std::uint64_t repetitions = 3) {
   Sampling sampling;

@@ -6,13 +6,14 @@
 #include <games/expect_error.h>
 #include <gtest/gtest.h>
 
+#include "strategies/named.h"
+
 namespace folk {
 namespace {
 
 using test::believer;
 using test::expect_error;
-
-std::vector<Strategy> roster(const std::string& spec) { return Registry::standard().roster(spec); }
+using test::roster;
 
 std::vector<BeliefRecord> records(const Strategy& policy, const std::vector<Strategy>& opponents,
                                   std::uint64_t rounds = 30) {

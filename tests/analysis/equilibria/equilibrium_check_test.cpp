@@ -1,5 +1,6 @@
 #include "analysis/play/naive.h"
 #include "games/ended_work.h"
+#include "strategies/named.h"
 
 #include <folk/analysis/equilibria/equilibrium_check.h>
 #include <folk/analysis/play/parallel.h>
@@ -11,8 +12,7 @@
 namespace folk {
 namespace {
 
-Strategy named(const char* name) { return Registry::standard().make(name); }
-
+using test::named;
 PairGaps against_itself(const char* name, const char* criterion, const char* payoffs = "T=5,R=3,P=1,S=0",
                         const char* beliefs = "classics") {
   const auto machine = named(name).machine;
@@ -20,7 +20,9 @@ PairGaps against_itself(const char* name, const char* criterion, const char* pay
                    {parse_payoffs(payoffs), Criterion::parse(criterion), Registry::standard().roster(beliefs)});
 }
 
-Rational nash(const char* name, const char* criterion) { return *against_itself(name, criterion).first.nash->exact; }
+Rational nash_gain(const char* name, const char* criterion) {
+  return *against_itself(name, criterion).first.nash->exact;
+}
 Rational perfect(const char* name, const char* criterion, const char* payoffs = "T=5,R=3,P=1,S=0") {
   return *against_itself(name, criterion, payoffs).first.subgame_perfect->exact;
 }
@@ -33,21 +35,21 @@ TEST(PairGaps, SpitefulIsSubgamePerfectFromOneHalf) {
   EXPECT_EQ(perfect("spiteful", "discounted:0.9"), 0);
   // At 0.49 deviating pays (1 - d) 5 + d 1 instead of 3.
   EXPECT_EQ(perfect("spiteful", "discounted:0.49"), Rational(4, 100));
-  EXPECT_EQ(nash("spiteful", "discounted:0.49"), Rational(4, 100));
+  EXPECT_EQ(nash_gain("spiteful", "discounted:0.49"), Rational(4, 100));
 }
 
 TEST(PairGaps, TitForTatIsNashFromTwoThirdsAndNeverPerfect) {
-  EXPECT_EQ(nash("tit_for_tat", "discounted:2/3"), 0);
-  EXPECT_GT(nash("tit_for_tat", "discounted:0.6666"), 0);
-  EXPECT_EQ(nash("tit_for_tat", "discounted:0.99"), 0);
+  EXPECT_EQ(nash_gain("tit_for_tat", "discounted:2/3"), 0);
+  EXPECT_GT(nash_gain("tit_for_tat", "discounted:0.6666"), 0);
+  EXPECT_EQ(nash_gain("tit_for_tat", "discounted:0.99"), 0);
   for (const char* criterion : {"discounted:0.1", "discounted:2/3", "discounted:0.7", "discounted:0.99"})
     EXPECT_GT(perfect("tit_for_tat", criterion), 0) << criterion;
 }
 
 TEST(PairGaps, PavlovIsNeverNashYetItsPathIsSelfConfirming) {
   for (const char* criterion : {"discounted:0.1", "discounted:0.5", "discounted:0.9", "discounted:0.999"})
-    EXPECT_GT(nash("pavlov", criterion), 0) << criterion;
-  EXPECT_EQ(nash("pavlov", "mean"), 0);
+    EXPECT_GT(nash_gain("pavlov", criterion), 0) << criterion;
+  EXPECT_EQ(nash_gain("pavlov", "mean"), 0);
   EXPECT_EQ(confirming("pavlov", "discounted:0.5"), 0);
   EXPECT_GT(confirming("pavlov", "discounted:0.499"), 0);
   const auto gaps = against_itself("pavlov", "discounted:0.6");
@@ -69,8 +71,8 @@ TEST(PairGaps, AllDIsEverything) {
 }
 
 TEST(PairGaps, GrudgerIsNashFromOneHalfAndNeverPerfect) {
-  EXPECT_EQ(nash("grudger", "discounted:1/2"), 0);
-  EXPECT_GT(nash("grudger", "discounted:0.4999"), 0);
+  EXPECT_EQ(nash_gain("grudger", "discounted:1/2"), 0);
+  EXPECT_GT(nash_gain("grudger", "discounted:0.4999"), 0);
   for (const char* criterion : {"discounted:0.2", "discounted:0.5", "discounted:0.9"})
     EXPECT_GT(perfect("grudger", criterion), 0) << criterion;
 }
@@ -102,7 +104,7 @@ TEST(PairGaps, OnlyPathsOfDSurviveWhereRoundsEnd) {
 TEST(PairGaps, AllCUnderTheMeanIsNotPerfectByOneShotDeviationsAlone) {
   // One deviation never changes a mean, yet all_d against all_c earns 5 instead of 3.
   EXPECT_EQ(perfect("all_c", "mean"), 2);
-  EXPECT_EQ(nash("all_c", "mean"), 2);
+  EXPECT_EQ(nash_gain("all_c", "mean"), 2);
 }
 
 TEST(PairGaps, RefusesMachinesWithoutEndUnderCriteriaWithoutEnd) {

@@ -1,4 +1,5 @@
 #include "analysis/beliefs/believing_player.h"
+#include "strategies/named.h"
 
 #include <folk/analysis/equilibria/examination.h>
 #include <folk/analysis/equilibria/played_examination.h>
@@ -14,9 +15,8 @@
 namespace folk {
 namespace {
 
-std::vector<Strategy> roster(const std::string& spec) { return Registry::standard().roster(spec); }
-Strategy named(const std::string& name) { return Registry::standard().make(name); }
-
+using test::named;
+using test::roster;
 /// A machine that nobody can look into.
 Strategy opaque(const std::string& name, bool deterministic = true) {
   Strategy strategy;

@@ -8,7 +8,7 @@
 namespace folk {
 namespace {
 
-std::shared_ptr<const Machine> named(const char* name) { return Registry::standard().make(name).machine; }
+std::shared_ptr<const Machine> machine_named(const char* name) { return Registry::standard().make(name).machine; }
 
 /// Goes along with a machine and counts who begins it.
 class Counted final : public Machine {
@@ -32,28 +32,28 @@ private:
 
 TEST(PreparedPair, KeepsItsPathWhereNothingIsChance) {
   PreparedMachines machines({}, Criterion::discounted(0.9));
-  const PreparedPair pure(machines.of(named("tit_for_tat")), machines.of(named("all_d")));
+  const PreparedPair pure(machines.of(machine_named("tit_for_tat")), machines.of(machine_named("all_d")));
   ASSERT_TRUE(pure.path());
   EXPECT_EQ(pure.path()->rounds, (std::vector<Outcome>{{Move::C, Move::D}, {Move::D, Move::D}}));
-  EXPECT_FALSE(PreparedPair(machines.of(named("random(0.5)")), machines.of(named("all_d"))).path());
+  EXPECT_FALSE(PreparedPair(machines.of(machine_named("random(0.5)")), machines.of(machine_named("all_d"))).path());
 }
 
 TEST(PreparedPair, RefusesMachinesWithoutEndUnderCriteriaWithoutEnd) {
   PreparedMachines machines({}, Criterion::discounted(0.9));
-  PreparedMachine& gradual = machines.of(named("gradual"));
-  PreparedMachine& random = machines.of(named("random(0.5)"));
+  PreparedMachine& gradual = machines.of(machine_named("gradual"));
+  PreparedMachine& random = machines.of(machine_named("random(0.5)"));
   test::expect_error<UsageError>([&] { PreparedPair(gradual, gradual); }, "give a --horizon");
   EXPECT_EQ(PreparedPair(gradual, gradual, 40).horizon(), 40U);
   test::expect_error<UsageError>([&] { PreparedPair(gradual, random, 40); }, "no --horizon helps");
   test::expect_error<UsageError>([&] { PreparedPair(random, gradual, 40); }, "no --horizon helps");
   PreparedMachines finite({}, Criterion::finite(5));
-  EXPECT_FALSE(PreparedPair(finite.of(named("random(0.5)")), finite.of(named("gradual"))).path());
+  EXPECT_FALSE(PreparedPair(finite.of(machine_named("random(0.5)")), finite.of(machine_named("gradual"))).path());
 }
 
 /// A table of each sense and a path: whatever is asked, of however many pairs, and of its own best reply.
 TEST(PreparedPair, GoesThroughEachMachineOnceAQuestion) {
   for (const char* name : {"pavlov", "random(0.5)"}) {
-    const auto counted = std::make_shared<Counted>(named(name));
+    const auto counted = std::make_shared<Counted>(machine_named(name));
     const EquilibriumQuestion question{{}, Criterion::discounted(0.6), {{"itself", counted, {}}}};
     ClassReplies beliefs = class_replies(question);
     PreparedMachine& prepared = beliefs.machines().of(counted);

@@ -13,7 +13,7 @@
 namespace folk {
 namespace {
 
-constexpr std::array<double, 4> numbers{3, 0, 5, 1};
+constexpr std::array<double, 4> dilemma{3, 0, 5, 1};
 
 using Joint = std::pair<State, State>;
 
@@ -41,7 +41,7 @@ double paid_from(const Automaton& a, const Automaton& b, const Joint& joint, con
   for (int t = test::sweeps_of(criterion); t > 0; --t) {
     const Move own = move_of(a, x);
     const Move theirs = move_of(b, y);
-    sum += weight * numbers[Outcome{own, theirs}.index()];
+    sum += weight * dilemma[Outcome{own, theirs}.index()];
     weight *= criterion.continuation();
     x = a.next(x, own, theirs);
     y = b.next(y, theirs, own);
@@ -63,7 +63,7 @@ Gains gains_by_value_iteration(const Automaton& a, const Automaton& b, const Cri
     const Move own = other(move_of(a, x));
     const Move theirs = move_of(b, y);
     const double after = paid_from(a, b, {a.next(x, own, theirs), b.next(y, theirs, own)}, criterion);
-    gains.once = std::max(gains.once, test::round_weight(criterion) * numbers[Outcome{own, theirs}.index()] +
+    gains.once = std::max(gains.once, test::round_weight(criterion) * dilemma[Outcome{own, theirs}.index()] +
                                           criterion.continuation() * after - paid);
     gains.replies = std::max(gains.replies, replies[y] - paid);
   }
@@ -96,7 +96,7 @@ TEST(SubgamePerfectGap, HoldsTheOneShotDeviationPrincipleBothWaysIn10000RandomPa
 double by_all_histories(const Automaton& a, const Automaton& b, State x, State y, unsigned left, double& largest) {
   if (left == 0) return 0;
   const auto after = [&](Move own, Move theirs) {
-    return numbers[Outcome{own, theirs}.index()] +
+    return dilemma[Outcome{own, theirs}.index()] +
            by_all_histories(a, b, a.next(x, own, theirs), b.next(y, theirs, own), left - 1, largest);
   };
   const Move own = move_of(a, x);
@@ -145,7 +145,7 @@ TEST(SubgamePerfectGap, IsWhatItsWitnessGainsIn1000RandomPairs) {
     for (const Outcome& round : gap.witness.history) play(round.own, round.theirs);
     const double before = paid_from(b, a, {x, y}, criterion);
     const Move theirs = move_of(a, y);
-    const double now = criterion.stopping() * numbers[Outcome{*gap.witness.deviation, theirs}.index()];
+    const double now = criterion.stopping() * dilemma[Outcome{*gap.witness.deviation, theirs}.index()];
     play(*gap.witness.deviation, theirs);
     ASSERT_NEAR(now + criterion.continuation() * paid_from(b, a, {x, y}, criterion) - before, gap.gain, 1e-9);
   }

@@ -16,7 +16,7 @@ namespace {
 
 using test::expect_error;
 using Pair = Point<double>;
-using Shape = Polygon<double>;
+using RealShape = Polygon<double>;
 
 StageGame game_of(std::size_t rows, std::size_t columns, std::vector<std::array<Rational, 2>> payoffs) {
   const auto names = [](std::size_t actions) {
@@ -27,7 +27,7 @@ StageGame game_of(std::size_t rows, std::size_t columns, std::vector<std::array<
   return StageGame("", {"Row", "Column"}, {names(rows), names(columns)}, std::move(payoffs));
 }
 
-void expect_corners(const EquilibriumSet& set, const Shape& corners, double tolerance) {
+void expect_corners(const EquilibriumSet& set, const RealShape& corners, double tolerance) {
   ASSERT_EQ(set.corners.size(), corners.size());
   for (std::size_t i = 0; i < corners.size(); ++i)
     for (const std::size_t axis : {0U, 1U}) EXPECT_NEAR(set.corners[i][axis], corners[i][axis], tolerance) << i;
@@ -76,10 +76,10 @@ TEST(EquilibriumSet, MayBeASegmentOrAPoint) {
 TEST(EquilibriumSet, DoesNotDependOnTheUnitsOfPayoffs) {
   const ReferenceGame& entry = reference_game("abreu_sannikov");
   auto pairs = payoff_pairs(entry.game);
-  const Shape expected = pure_equilibrium_set(entry.game, 0.3).corners;
+  const RealShape expected = pure_equilibrium_set(entry.game, 0.3).corners;
   std::vector<std::array<Rational, 2>> payoffs;
   for (const auto& [row, column] : pairs) payoffs.push_back({1'000'000 + row / 1'000, 3'000 * column});
-  const Shape found = pure_equilibrium_set(game_of(3, 3, payoffs), 0.3).corners;
+  const RealShape found = pure_equilibrium_set(game_of(3, 3, payoffs), 0.3).corners;
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
     EXPECT_NEAR((found[i][0] - 1e6) * 1e3, expected[i][0], 1e-6);
@@ -102,7 +102,7 @@ double dot(const Pair& a, const Pair& b) { return a[0] * b[0] + a[1] * b[1]; }
 
 /// `even` evenly spaced ones, the axes first, and those that the edges of `polygon` face: without these the half-spaces
 /// could not tell the set from a slightly larger one, whatever the algorithm.
-Directions directions_for(const Shape& polygon, int even) {
+Directions directions_for(const RealShape& polygon, int even) {
   Directions found{{-1, 0}, {0, -1}, {1, 0}, {0, 1}};
   for (int k = 0; k < even; ++k) {
     const double angle = 2 * std::numbers::pi * k / even;
@@ -118,7 +118,7 @@ Directions directions_for(const Shape& polygon, int even) {
 }
 
 /// The most of each direction over the points.
-std::vector<double> supports(const Directions& directions, const Shape& points) {
+std::vector<double> supports(const Directions& directions, const RealShape& points) {
   std::vector<double> most(directions.size(), -INFINITY);
   for (std::size_t k = 0; k < directions.size(); ++k)
     for (const Pair& point : points) most[k] = std::max(most[k], dot(directions[k], point));
@@ -126,8 +126,8 @@ std::vector<double> supports(const Directions& directions, const Shape& points) 
 }
 
 /// The part of a polygon (corners in order) where normal . point <= most.
-Shape cut(const Shape& polygon, const Pair& normal, double most) {
-  Shape kept;
+RealShape cut(const RealShape& polygon, const Pair& normal, double most) {
+  RealShape kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Pair& from = polygon[i];
     const Pair& to = polygon[(i + 1) % polygon.size()];
@@ -158,7 +158,7 @@ public:
   /// The most of each direction, or nothing when the set is empty.
   std::optional<std::vector<double>> run() {
     for (double change = 1; change > 1e-11;) {
-      const Shape points = applied();
+      const RealShape points = applied();
       if (points.empty()) return std::nullopt;
       const auto next = supports(directions_, points);
       change = 0;
@@ -181,13 +181,13 @@ private:
     deviations_.push_back({to_double(row), to_double(column)});
   }
 
-  Shape applied() {
-    Shape set{{-1e3, -1e3}, {1e3, -1e3}, {1e3, 1e3}, {-1e3, 1e3}};
+  RealShape applied() {
+    RealShape set{{-1e3, -1e3}, {1e3, -1e3}, {1e3, 1e3}, {-1e3, 1e3}};
     for (std::size_t k = 0; k < directions_.size(); ++k) set = cut(set, directions_[k], most_[k] + room);
     for (const std::size_t axis : {0U, 1U}) threat_[axis] = std::max(threat_[axis], -most_[axis]);
-    Shape points;
+    RealShape points;
     for (std::size_t a = 0; a < payoffs_.size(); ++a) {
-      Shape left = set;
+      RealShape left = set;
       for (const std::size_t axis : {0U, 1U}) {
         const double gain = deviations_[a][axis] - payoffs_[a][axis];
         left = cut(left, directions_[axis], room - threat_[axis] - (1 - discount_) / discount_ * gain);
@@ -202,8 +202,8 @@ private:
   double discount_;
   Directions directions_;
   Pair threat_;
-  Shape payoffs_;
-  Shape deviations_;  // what the best deviation from the profile pays each seat
+  RealShape payoffs_;
+  RealShape deviations_;  // what the best deviation from the profile pays each seat
   std::vector<double> most_;
 };
 

@@ -13,14 +13,14 @@
 #include <string>
 
 #include "games/expect_error.h"
+#include "games/has.h"
 
 namespace folk {
 namespace {
 
+using folk::test::has;
 namespace fs = std::filesystem;
 using test::expect_error;
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// The lines of a block of data.
 std::string block(const std::string& script, const std::string& name) {

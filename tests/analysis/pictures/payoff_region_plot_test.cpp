@@ -9,10 +9,12 @@
 #include <string>
 
 #include "games/expect_error.h"
+#include "games/has.h"
 
 namespace folk {
 namespace {
 
+using folk::test::has;
 namespace fs = std::filesystem;
 using test::expect_error;
 
@@ -31,8 +33,6 @@ PayoffRegionPlot dilemma() {
   plot.dots_name = "3 pairs";
   return plot;
 }
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 std::size_t lines_with(const std::string& text, const std::string& part) {
   std::size_t count = 0;

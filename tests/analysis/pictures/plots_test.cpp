@@ -13,9 +13,12 @@
 #include <limits>
 #include <sstream>
 
+#include "games/has.h"
+
 namespace folk {
 namespace {
 
+using folk::test::has;
 namespace fs = std::filesystem;
 
 const std::vector<std::string> three{"gradual", "tit_for_tat", "all_d"};
@@ -32,8 +35,6 @@ BoxPlot small_boxes() {
   return {three, [](std::size_t row, std::size_t column) { return static_cast<double>(row + column); }, "Means",
           "mean"};
 }
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 std::vector<std::string> evil_names() {
   return {"it's",

@@ -15,8 +15,9 @@ namespace folk {
 namespace {
 
 constexpr std::array payoff_texts{"T=5,R=3,P=1,S=0", "T=2.5,R=1/3,P=-1,S=-7/2", "T=4,R=3,P=1,S=0"};
-constexpr std::array endless_criteria{"discounted:0.3",         "discounted:2/3", "discounted:0.9", "discounted:1e-9",
-                                      "discounted:0.999999999", "ending:1",       "ending:0.2",     "mean"};
+constexpr std::array stationary_criteria{
+    "discounted:0.3",         "discounted:2/3", "discounted:0.9", "discounted:1e-9",
+    "discounted:0.999999999", "ending:1",       "ending:0.2",     "mean"};
 
 Payoffs random_payoffs(RandomStream& random) { return parse_payoffs(payoff_texts[random() % payoff_texts.size()]); }
 
@@ -45,7 +46,7 @@ TEST(StationaryReply, IsTheBestOfAllStationaryRepliesTo3000PureMachinesOfUpTo5St
   for (int i = 0; i < 3000; ++i) {
     const Automaton opponent = test::random_automaton(random, 5, true);
     const Payoffs payoffs = random_payoffs(random);
-    const auto criterion = Criterion::parse(endless_criteria[random() % endless_criteria.size()]);
+    const auto criterion = Criterion::parse(stationary_criteria[random() % stationary_criteria.size()]);
     const auto reply = stationary_reply(reply_problem(opponent, payoffs), criterion);
     Rational best = exactly(opponent, policy_of(0, opponent.size()), payoffs, criterion);
     for (std::size_t policy = 1; policy < std::size_t{1} << opponent.size(); ++policy)
@@ -88,7 +89,7 @@ TEST(StationaryReply, IsTheBestOfAllStationaryRepliesTo1500MachinesThatMixOrSlip
   for (int i = 0; i < 1500; ++i) {
     const Automaton opponent = half_random(random, 4);
     const Payoffs payoffs = random_payoffs(random);
-    const auto criterion = Criterion::parse(endless_criteria[random() % endless_criteria.size()]);
+    const auto criterion = Criterion::parse(stationary_criteria[random() % stationary_criteria.size()]);
     constexpr std::array noises{0.0, 0.0, 0.05, 1e-6, 1.0};
     const double noise = noises[random() % noises.size()];
     const auto problem = reply_problem(opponent, payoffs, noise);

@@ -21,13 +21,13 @@ using test::joined;
 using test::plain_network;
 using test::row_of;
 
-struct Specimen {
+struct VaeSpecimen {
   ActionVaeShape shape;
   std::vector<double> parameters;
   Matrix<double> input;  // [observation | action]
   Matrix<double> normals;
 
-  Specimen(std::uint64_t seed, std::size_t observed, std::size_t hidden, Index rows)
+  VaeSpecimen(std::uint64_t seed, std::size_t observed, std::size_t hidden, Index rows)
       : shape(observed, hidden),
         parameters(shape.parameters()),
         input(rows, index(observed + 2)),
@@ -38,7 +38,7 @@ struct Specimen {
     for (Index i = 0; i < normals.size(); ++i) normals.data()[i] = random.normal();
   }
 
-  static Specimen any() {
+  static VaeSpecimen any() {
     return {*rc::gen::arbitrary<std::uint64_t>(), *rc::gen::inRange<std::size_t>(1, 6),
             *rc::gen::inRange<std::size_t>(1, 8), *rc::gen::inRange<Index>(1, 7)};
   }
@@ -80,7 +80,7 @@ struct Specimen {
 };
 
 RC_GTEST_PROP(ActionVae, LossIsThatOfItsDefinition, ()) {
-  const auto specimen = Specimen::any();
+  const auto specimen = VaeSpecimen::any();
   std::vector<double> gradient(specimen.parameters.size());
   const double plain = specimen.plain_loss();
   RC_ASSERT(std::abs(specimen.loss(gradient) - plain) <= 1e-10 * std::max(1.0, plain));
@@ -88,7 +88,7 @@ RC_GTEST_PROP(ActionVae, LossIsThatOfItsDefinition, ()) {
 
 TEST(ActionVae, GradientIsThatOfFiniteDifferences) {
   for (const std::uint64_t seed : {1, 2, 3}) {
-    Specimen specimen(seed, 3, 5, 4);
+    VaeSpecimen specimen(seed, 3, 5, 4);
     std::vector<double> gradient(specimen.parameters.size(), 7.0);  // it is added to what is there
     specimen.loss(gradient);
     for (std::size_t i = 0; i < gradient.size(); ++i)
@@ -101,7 +101,7 @@ TEST(ActionVae, GradientIsThatOfFiniteDifferences) {
 // The biases of the encoder's last layer set a log deviation beyond what it is cut to.
 TEST(ActionVae, ALogDeviationThatIsCutHasNoGradient) {
   for (const double bias : {-9.0, 19.0}) {
-    Specimen specimen(4, 3, 5, 4);
+    VaeSpecimen specimen(4, 3, 5, 4);
     const MlpShape& encoder = specimen.shape.encoder();
     const std::size_t at = encoder.bias(2) + 4 + 1;
     specimen.parameters[at] = bias;
@@ -115,7 +115,7 @@ TEST(ActionVae, ALogDeviationThatIsCutHasNoGradient) {
 }
 
 RC_GTEST_PROP(ActionVae, PiecesOfABatchAddUp, ()) {
-  const auto specimen = Specimen::any();
+  const auto specimen = VaeSpecimen::any();
   const auto rows = specimen.input.rows();
   const auto examples = static_cast<std::size_t>(rows);
   const Index cut = *rc::gen::inRange<Index>(0, rows);

@@ -16,11 +16,15 @@
 
 #include "games/expect_error.h"
 #include "mpe/data/small_data_set.h"
+#include "mpe/offline/saved_learner.h"
 
 namespace folk::mpe {
 namespace {
 
 using folk::test::expect_error;
+using test::learner_record;
+using test::load;
+using test::saved;
 
 // ---- the loss ----------------------------------------------------------------------------------------------------
 
@@ -128,7 +132,7 @@ struct Played {
   DataSet data;
 };
 
-BcSettings small_settings() {
+BcSettings small_bc() {
   BcSettings settings;
   settings.context = 4;
   settings.hidden = 10;
@@ -199,7 +203,7 @@ TEST(BcLearner, ItsLossIsTheOneWrittenDownPlainly) {
     for (const std::size_t context : {3, 30})
       for (const double dropout : {0.0, 0.4}) {
         const Played played(scenario);
-        BcSettings settings = small_settings();
+        BcSettings settings = small_bc();
         settings.context = context;
         settings.dropout = dropout;
         BcLearner learner(played.data, settings);
@@ -216,7 +220,7 @@ TEST(BcLearner, ItsLossIsTheOneWrittenDownPlainly) {
 TEST(BcLearner, AStepIsOneOfAdamW) {
   const Played played;
   const auto moves = [&](const std::function<void(BcSettings&)>& change) {
-    BcSettings settings = small_settings();
+    BcSettings settings = small_bc();
     settings.weight_decay = 0;
     change(settings);
     BcLearner learner(played.data, settings);
@@ -238,7 +242,7 @@ TEST(BcLearner, AStepIsOneOfAdamW) {
 
 TEST(BcLearner, ItsRateFallsToNothing) {
   const Played played;
-  BcSettings settings = small_settings();
+  BcSettings settings = small_bc();
   settings.decay_steps = 3;
   BcLearner learner(played.data, settings);
   std::vector<std::vector<float>> parameters;
@@ -253,7 +257,7 @@ TEST(BcLearner, ItsRateFallsToNothing) {
 
 TEST(BcLearner, LearnsWhatTheLastObservationTells) {
   const Played played("simple_tag", 40);
-  BcSettings settings = small_settings();
+  BcSettings settings = small_bc();
   settings.context = 2;
   settings.hidden = 32;
   BcLearner learner(played.data, settings);
@@ -269,7 +273,7 @@ TEST(BcLearner, LearnsWhatTheLastObservationTells) {
 
 TEST(BcLearner, ItsBitsAreTheSameOnAnyNumberOfThreads) {
   const Played played;
-  BcSettings settings = small_settings();
+  BcSettings settings = small_bc();
   BcLearner one(played.data, settings);
   settings.threads = 3;
   BcLearner three(played.data, settings);
@@ -280,7 +284,7 @@ TEST(BcLearner, ItsBitsAreTheSameOnAnyNumberOfThreads) {
 
 TEST(BcLearner, SeedsTellRunsApart) {
   const Played played;
-  BcSettings settings = small_settings();
+  BcSettings settings = small_bc();
   BcLearner one(played.data, settings);
   settings.seed = 2;
   BcLearner two(played.data, settings);
@@ -290,24 +294,9 @@ TEST(BcLearner, SeedsTellRunsApart) {
 
 // ---- what is kept of a run ---------------------------------------------------------------------------------------
 
-constexpr sct::RecordKind kind{"FOLKTEST", 1, "test"};
-
-std::string saved(const BcLearner& learner) {
-  sct::RecordWriter writer(kind);
-  learner.save(writer);
-  return std::move(writer).sealed();
-}
-
-void load(BcLearner& learner, const std::string& bytes) {
-  const std::string source = "run";
-  sct::RecordReader reader(bytes, source, kind);
-  learner.load(reader);
-  EXPECT_TRUE(reader.done());
-}
-
 TEST(BcLearner, GoesOnAsIfItHadNeverStopped) {
   const Played played;
-  BcSettings settings = small_settings();
+  BcSettings settings = small_bc();
   settings.warmup_steps = 5;
   settings.decay_steps = 20;
   BcLearner whole(played.data, settings);
@@ -324,10 +313,10 @@ TEST(BcLearner, GoesOnAsIfItHadNeverStopped) {
 
 TEST(BcLearner, RefusesNumbersOfAnotherNetworkAndStaysAsItWas) {
   const Played played;
-  BcLearner learner(played.data, small_settings());
+  BcLearner learner(played.data, small_bc());
   step(learner);
   const std::string before = saved(learner);
-  BcSettings settings = small_settings();
+  BcSettings settings = small_bc();
   settings.hidden = 11;
   BcLearner other(played.data, settings);
   step(other);
@@ -335,7 +324,7 @@ TEST(BcLearner, RefusesNumbersOfAnotherNetworkAndStaysAsItWas) {
   EXPECT_EQ(saved(learner), before);
   // Parameters that fit, and moments that do not.
   for (const int wrong : {0, 1, 2}) {
-    sct::RecordWriter writer(kind);
+    sct::RecordWriter writer(learner_record);
     const std::vector<float> fit(learner.parameters().size());
     const std::vector<float> unfit(fit.size() - 1);
     writer.floats(wrong == 0 ? unfit : fit);
@@ -345,7 +334,7 @@ TEST(BcLearner, RefusesNumbersOfAnotherNetworkAndStaysAsItWas) {
     expect_error<InputFileError>([&] { load(learner, std::move(writer).sealed()); }, "run: a checkpoint of another");
     EXPECT_EQ(saved(learner), before);
   }
-  sct::RecordWriter writer(kind);
+  sct::RecordWriter writer(learner_record);
   writer.floats(learner.parameters());
   writer.word(7);
   expect_error<InputFileError>([&] { load(learner, std::move(writer).sealed()); }, "run: damaged checkpoint");
@@ -354,7 +343,7 @@ TEST(BcLearner, RefusesNumbersOfAnotherNetworkAndStaysAsItWas) {
 
 TEST(BcLearner, ItsPolicyIsWhatItLearnt) {
   const Played played("simple_world");
-  BcLearner learner(played.data, small_settings());
+  BcLearner learner(played.data, small_bc());
   step(learner);
   const auto policy = parse_window_policy(learner.policy({{"algorithm", "bc"}}), "policy");
   EXPECT_EQ(policy.scenario, "simple_world");
@@ -402,7 +391,7 @@ void expect_play_as_trained(const DataSet& data, const BcSettings& settings, con
 TEST(BcLearner, ItsPolicySeesWhatTrainingSaw) {
   for (const char* scenario : {"simple_tag", "simple_world"}) {
     const Played played(scenario);
-    BcSettings settings = small_settings();
+    BcSettings settings = small_bc();
     settings.context = 7;
     BcLearner learner(played.data, settings);
     for (int i = 0; i < 50; ++i) step(learner);

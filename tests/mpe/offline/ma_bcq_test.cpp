@@ -22,6 +22,7 @@
 #include "games/expect_error.h"
 #include "mpe/data/small_data_set.h"
 #include "mpe/offline/plain_network.h"
+#include "mpe/offline/saved_learner.h"
 
 namespace folk::mpe {
 namespace {
@@ -29,9 +30,12 @@ namespace {
 using folk::test::expect_error;
 using test::as_double;
 using test::joined;
+using test::learner_record;
+using test::load;
 using test::plain_mix;
 using test::plain_network;
 using test::row_of;
+using test::saved;
 
 void fill(RandomStream& random, double* numbers, std::size_t count, double size) {
   for (std::size_t i = 0; i < count; ++i) numbers[i] = size * (2 * random.uniform() - 1);
@@ -156,7 +160,7 @@ TEST(ChooseCandidates, TakesThatOfTheHighestWeightedTwins) {
 
 // ---- a step ------------------------------------------------------------------------------------------------------
 
-MaBcqSettings small_settings() {
+MaBcqSettings small_ma_bcq() {
   MaBcqSettings settings;
   settings.vae_hidden = 9;
   settings.hidden = {8, 7};
@@ -171,8 +175,8 @@ MaBcqSettings small_settings() {
 }
 
 /// The files of a few episodes, and their data set.
-struct SmallData {
-  explicit SmallData(const char* scenario = "simple_tag")
+struct FewEpisodes {
+  explicit FewEpisodes(const char* scenario = "simple_tag")
       : layout(Scenario::named(scenario)),
         files(test::files_of(test::played_arrays(layout, test::pursuit_cast(), 3, 0, 4))),
         data(test::parse(files)) {}
@@ -333,8 +337,8 @@ std::vector<std::vector<double>> critics(const std::vector<BcqAgent>& agents) {
 
 // After some steps, when targets are no longer the same as what they follow.
 TEST(MaBcq, StepMeasuresTheLossesOfItsDefinition) {
-  const SmallData small;
-  const auto settings = small_settings();
+  const FewEpisodes small;
+  const auto settings = small_ma_bcq();
   MaBcqLearner learner(small.data, settings);
   for (int i = 0; i < 4; ++i) learner.step();
   const auto before = learner.agents();
@@ -370,8 +374,8 @@ void expect_descent(const std::vector<float>& before, const std::vector<float>& 
 }
 
 TEST(MaBcq, FirstStepDescendsAllLosses) {
-  const SmallData small;
-  auto settings = small_settings();
+  const FewEpisodes small;
+  auto settings = small_ma_bcq();
   settings.perturbation = 2;  // so that actors matter
   MaBcqLearner learner(small.data, settings);
   const auto before = learner.agents();
@@ -410,8 +414,8 @@ void expect_followed(const LearningNetwork& before, const LearningNetwork& after
 }
 
 TEST(MaBcq, TargetsFollow) {
-  const SmallData small;
-  MaBcqLearner learner(small.data, small_settings());
+  const FewEpisodes small;
+  MaBcqLearner learner(small.data, small_ma_bcq());
   learner.step();
   const auto before = learner.agents();
   const auto mixer = learner.mixer();
@@ -425,8 +429,8 @@ TEST(MaBcq, TargetsFollow) {
 }
 
 TEST(MaBcq, NoTwoNetworksBeginTheSame) {
-  const SmallData small("simple_world");
-  const MaBcqLearner learner(small.data, small_settings());
+  const FewEpisodes small("simple_world");
+  const MaBcqLearner learner(small.data, small_ma_bcq());
   const ActionVaeShape vae(24, 9);
   std::set<float> first;
   for (const auto& agent : learner.agents()) {
@@ -441,27 +445,12 @@ TEST(MaBcq, NoTwoNetworksBeginTheSame) {
 
 // ---- runs --------------------------------------------------------------------------------------------------------
 
-constexpr sct::RecordKind kind{"FOLKTEST", 1, "a test"};
-
-std::string saved(const MaBcqLearner& learner) {
-  sct::RecordWriter writer(kind);
-  learner.save(writer);
-  return std::move(writer).sealed();
-}
-
-void load(MaBcqLearner& learner, const std::string& bytes) {
-  const std::string source = "checkpoint";
-  sct::RecordReader reader(bytes, source, kind);
-  learner.load(reader);
-  EXPECT_TRUE(reader.done());
-}
-
 TEST(MaBcq, GoesOnAsIfItHadNeverStopped) {
-  const SmallData small;
-  MaBcqLearner whole(small.data, small_settings());
-  MaBcqLearner first(small.data, small_settings());
+  const FewEpisodes small;
+  MaBcqLearner whole(small.data, small_ma_bcq());
+  MaBcqLearner first(small.data, small_ma_bcq());
   for (int i = 0; i < 3; ++i) first.step();
-  MaBcqLearner second(small.data, small_settings());
+  MaBcqLearner second(small.data, small_ma_bcq());
   second.step();
   load(second, saved(first));
   EXPECT_EQ(second.steps(), 3U);
@@ -474,10 +463,10 @@ TEST(MaBcq, GoesOnAsIfItHadNeverStopped) {
 }
 
 TEST(MaBcqThreads, ChangeNoBit) {
-  const SmallData small("simple_world");
+  const FewEpisodes small("simple_world");
   std::vector<std::string> runs;
   for (const unsigned threads : {1U, 2U, 3U, 5U}) {
-    auto settings = small_settings();
+    auto settings = small_ma_bcq();
     settings.threads = threads;
     settings.candidates = 40;  // several pieces a batch
     MaBcqLearner learner(small.data, settings);
@@ -488,8 +477,8 @@ TEST(MaBcqThreads, ChangeNoBit) {
 }
 
 TEST(MaBcq, DependsOnItsSeed) {
-  const SmallData small;
-  auto settings = small_settings();
+  const FewEpisodes small;
+  auto settings = small_ma_bcq();
   MaBcqLearner one(small.data, settings);
   ++settings.seed;
   MaBcqLearner other(small.data, settings);
@@ -497,38 +486,38 @@ TEST(MaBcq, DependsOnItsSeed) {
 }
 
 /// Expects a load to be refused, and nothing to have changed.
-void expect_refusal(const std::string& bytes, const std::string& part) {
-  const SmallData small;
-  MaBcqLearner learner(small.data, small_settings());
+void expect_no_load(const std::string& bytes, const std::string& part) {
+  const FewEpisodes small;
+  MaBcqLearner learner(small.data, small_ma_bcq());
   learner.step();
   const auto before = saved(learner);
-  const std::string source = "checkpoint";
-  sct::RecordReader reader(bytes, source, kind);
+  const std::string source = "run";
+  sct::RecordReader reader(bytes, source, learner_record);
   expect_error<InputFileError>([&] { learner.load(reader); }, part);
   EXPECT_EQ(saved(learner), before);
   EXPECT_EQ(learner.steps(), 1U);
 }
 
 TEST(MaBcq, RefusesCheckpointsOfOtherNetworks) {
-  const SmallData small;
-  const SmallData world("simple_world");
-  const std::string part = "checkpoint: a checkpoint of other networks";
+  const FewEpisodes small;
+  const FewEpisodes world("simple_world");
+  const std::string part = "run: a checkpoint of other networks";
   const auto changed = [&](const std::function<void(MaBcqSettings&)>& change) {
-    auto settings = small_settings();
+    auto settings = small_ma_bcq();
     change(settings);
     return saved(MaBcqLearner(small.data, settings));
   };
-  expect_refusal(changed([](MaBcqSettings& s) { s.vae_hidden = 10; }), part);
-  expect_refusal(changed([](MaBcqSettings& s) { s.hidden[0] = 9; }), part);
-  expect_refusal(changed([](MaBcqSettings& s) { s.hidden[1] = 9; }), part);
-  expect_refusal(saved(MaBcqLearner(world.data, small_settings())), part);
+  expect_no_load(changed([](MaBcqSettings& s) { s.vae_hidden = 10; }), part);
+  expect_no_load(changed([](MaBcqSettings& s) { s.hidden[0] = 9; }), part);
+  expect_no_load(changed([](MaBcqSettings& s) { s.hidden[1] = 9; }), part);
+  expect_no_load(saved(MaBcqLearner(world.data, small_ma_bcq())), part);
 }
 
 /// A checkpoint by hand: `change` is made to its last network, the mixer.
 std::string checkpoint(const std::function<void(LearningNetwork&)>& change) {
-  const SmallData small;
-  const MaBcqLearner learner(small.data, small_settings());
-  sct::RecordWriter writer(kind);
+  const FewEpisodes small;
+  const MaBcqLearner learner(small.data, small_ma_bcq());
+  sct::RecordWriter writer(learner_record);
   const auto put = [&](const LearningNetwork& network) {
     writer.floats(network.parameters);
     writer.floats(network.target);
@@ -546,21 +535,21 @@ std::string checkpoint(const std::function<void(LearningNetwork&)>& change) {
 }
 
 TEST(MaBcq, RefusesCheckpointsWhoseLastNetworkIsWrong) {
-  const SmallData small;
-  MaBcqLearner learner(small.data, small_settings());
+  const FewEpisodes small;
+  MaBcqLearner learner(small.data, small_ma_bcq());
   load(learner, checkpoint([](LearningNetwork&) {}));
   EXPECT_EQ(learner.steps(), 2U);
-  const std::string other = "checkpoint: a checkpoint of other networks";
-  expect_refusal(checkpoint([](LearningNetwork& mixer) { mixer.parameters.pop_back(); }), other);
-  expect_refusal(checkpoint([](LearningNetwork& mixer) { mixer.target.clear(); }), other);
-  expect_refusal(checkpoint([](LearningNetwork& mixer) { mixer.optimiser.first.push_back(0); }), other);
-  expect_refusal(checkpoint([](LearningNetwork& mixer) { mixer.optimiser.second.pop_back(); }), other);
-  expect_refusal(checkpoint([](LearningNetwork& mixer) { mixer.optimiser.second.back() = -1; }), "below 0");
+  const std::string other = "run: a checkpoint of other networks";
+  expect_no_load(checkpoint([](LearningNetwork& mixer) { mixer.parameters.pop_back(); }), other);
+  expect_no_load(checkpoint([](LearningNetwork& mixer) { mixer.target.clear(); }), other);
+  expect_no_load(checkpoint([](LearningNetwork& mixer) { mixer.optimiser.first.push_back(0); }), other);
+  expect_no_load(checkpoint([](LearningNetwork& mixer) { mixer.optimiser.second.pop_back(); }), other);
+  expect_no_load(checkpoint([](LearningNetwork& mixer) { mixer.optimiser.second.back() = -1; }), "below 0");
 }
 
 TEST(MaBcq, GivesThePolicyThatItHasLearned) {
-  const SmallData small;
-  auto settings = small_settings();
+  const FewEpisodes small;
+  auto settings = small_ma_bcq();
   settings.perturbation = 0.1;
   MaBcqLearner learner(small.data, settings);
   learner.step();
@@ -583,9 +572,9 @@ TEST(MaBcq, GivesThePolicyThatItHasLearned) {
 }
 
 TEST(MaBcq, DescribesAllThatItDependsOn) {
-  const SmallData small;
+  const FewEpisodes small;
   const auto text = [&](const MaBcqSettings& settings) { return MaBcqLearner(small.data, settings).description(); };
-  const auto settings = small_settings();
+  const auto settings = small_ma_bcq();
   EXPECT_EQ(text(settings),
             "algorithm = ma-bcq\nscenario = simple_tag\nvae-hidden = 9\nhidden = 8 7\nlearning-rate = 0.01\n"
             "discount = 0.99\naveraging = 0.1\nbatch = 31\ncandidates = 3\nacting-candidates = 5\nperturbation = 0.3\n"
@@ -609,8 +598,8 @@ TEST(MaBcqSettings, OutOfRangeAreRefused) {
   refuse([](MaBcqSettings& s) { s.acting_candidates = 10'001; }, "acting-candidates 10001");
   refuse([](MaBcqSettings& s) { s.perturbation = -0.1; }, "perturbation -0.1");
   refuse([](MaBcqSettings& s) { s.lambda = 1.5; }, "lambda 1.5");
-  const SmallData small;
-  auto settings = small_settings();
+  const FewEpisodes small;
+  auto settings = small_ma_bcq();
   settings.batch = 0;
   expect_error<UsageError>([&] { MaBcqLearner(small.data, settings); }, "batch 0");
 }

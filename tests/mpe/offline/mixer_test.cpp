@@ -18,7 +18,7 @@ namespace folk::mpe {
 namespace {
 
 template <class S>
-struct Specimen {
+struct MixerSpecimen {
   MixerShape shape;
   std::vector<S> parameters;
   Matrix<S> states;
@@ -26,7 +26,7 @@ struct Specimen {
   MixerTape<S> tape;
   Matrix<S> mixed;
 
-  Specimen(std::uint64_t seed, std::size_t state, std::size_t count, Index rows, double size = 0.5)
+  MixerSpecimen(std::uint64_t seed, std::size_t state, std::size_t count, Index rows, double size = 0.5)
       : shape(state, count),
         parameters(shape.parameters()),
         states(rows, index(state)),
@@ -38,7 +38,7 @@ struct Specimen {
     for (Index i = 0; i < values.size(); ++i) values.data()[i] = draw(10);
   }
 
-  static Specimen any() {
+  static MixerSpecimen any() {
     return {*rc::gen::arbitrary<std::uint64_t>(), *rc::gen::inRange<std::size_t>(1, 9),
             *rc::gen::inRange<std::size_t>(1, 8), *rc::gen::inRange<Index>(1, 6), *rc::gen::element(1e-3, 0.5, 30.0)};
   }
@@ -51,7 +51,7 @@ struct Specimen {
 };
 
 RC_GTEST_PROP(Mixer, WeightsAreAboveZeroAndAddUpToOne, ()) {
-  auto specimen = Specimen<float>::any();
+  auto specimen = MixerSpecimen<float>::any();
   specimen.run();
   const auto& weights = specimen.tape.weights;
   RC_ASSERT(weights.rows() == specimen.states.rows());
@@ -61,7 +61,7 @@ RC_GTEST_PROP(Mixer, WeightsAreAboveZeroAndAddUpToOne, ()) {
 }
 
 RC_GTEST_PROP(Mixer, IsMonotoneAndBetweenItsValues, ()) {
-  auto specimen = Specimen<double>::any();
+  auto specimen = MixerSpecimen<double>::any();
   specimen.run();
   const Matrix<double> before = specimen.mixed;
   for (Index r = 0; r < before.rows(); ++r) {
@@ -75,7 +75,7 @@ RC_GTEST_PROP(Mixer, IsMonotoneAndBetweenItsValues, ()) {
 }
 
 RC_GTEST_PROP(Mixer, IsThatOfItsDefinition, ()) {
-  auto specimen = Specimen<double>::any();
+  auto specimen = MixerSpecimen<double>::any();
   specimen.run();
   for (std::size_t r = 0; r < static_cast<std::size_t>(specimen.states.rows()); ++r) {
     const double plain = test::plain_mix(specimen.shape.layer(), specimen.parameters.data(),
@@ -85,20 +85,20 @@ RC_GTEST_PROP(Mixer, IsThatOfItsDefinition, ()) {
 }
 
 TEST(Mixer, GivesAllTheSameWhereItHasNothingToSay) {
-  Specimen<float> specimen(1, 3, 6, 2, 0);
+  MixerSpecimen<float> specimen(1, 3, 6, 2, 0);
   specimen.run();
   EXPECT_LE((specimen.tape.weights.array() - 1.0F / 6).abs().maxCoeff(), 1e-6F);
 }
 
 /// The sum of what the rows are mixed to, each times its weight.
-double outcome(Specimen<double>& specimen, const Matrix<double>& weights) {
+double outcome(MixerSpecimen<double>& specimen, const Matrix<double>& weights) {
   specimen.run();
   return (specimen.mixed.array() * weights.array()).sum();
 }
 
 TEST(Mixer, GradientsAreThoseOfFiniteDifferences) {
   for (const std::uint64_t seed : {1, 2}) {
-    Specimen<double> specimen(seed, 3, 6, 4);
+    MixerSpecimen<double> specimen(seed, 3, 6, 4);
     Matrix<double> weights(4, 1);
     weights << 1, -2, 0.5, 3;
     specimen.run();

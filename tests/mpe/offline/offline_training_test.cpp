@@ -27,7 +27,7 @@ namespace {
 
 using folk::test::expect_error;
 
-constexpr sct::RecordKind kind{"FOLKOFFL", 1, "mpe-train offline"};
+constexpr sct::RecordKind training_record{"FOLKOFFL", 1, "mpe-train offline"};
 
 /// Learns to count.
 class Counter final : public OfflineLearner {
@@ -196,7 +196,7 @@ TEST(OfflineCheckpoint, ThatIsCutOrChangedAnywhereIsRefused) {
 
 /// The payload under a checksum that is right.
 std::string resealed(const std::string& payload) {
-  sct::RecordWriter writer(kind);
+  sct::RecordWriter writer(training_record);
   writer.digits({reinterpret_cast<const std::uint8_t*>(payload.data()), payload.size()});
   return std::move(writer).sealed();
 }
@@ -244,7 +244,7 @@ struct Draft {
   std::vector<std::uint64_t> points{1, 2, 3, 4, 5};
 
   std::string bytes() const {
-    sct::RecordWriter writer(kind);
+    sct::RecordWriter writer(training_record);
     writer.text(description);
     writer.word(last);
     writer.word(at);
@@ -284,7 +284,7 @@ TEST(OfflineCheckpoint, ThatMakesNoSenseIsRefusedThoughItsChecksumIsRight) {
 
 // ---- a folder ----------------------------------------------------------------------------------------------------
 
-const DataSet& small_data() {
+const DataSet& counted_data() {
   static const test::Files files =
       test::files_of(test::played_arrays(Layout(Scenario::named("simple_tag")), test::pursuit_cast(), 3, 0, 2));
   static const DataSet data = test::parse(files);
@@ -298,7 +298,7 @@ OfflineTraining tiny_transformer(std::uint64_t steps, unsigned threads = 1) {
   settings.context = 3;
   settings.batch = 4;
   settings.threads = threads;
-  auto learner = std::make_unique<TransformerLearner>(small_data(), settings);
+  auto learner = std::make_unique<TransformerLearner>(counted_data(), settings);
   auto description = learner->description();
   return {std::move(learner), std::move(description), steps};
 }

@@ -16,11 +16,15 @@
 
 #include "games/expect_error.h"
 #include "mpe/data/small_data_set.h"
+#include "mpe/offline/saved_learner.h"
 
 namespace folk::mpe {
 namespace {
 
 using folk::test::expect_error;
+using test::learner_record;
+using test::load;
+using test::saved;
 
 void fill(RandomStream& random, Matrix<double>& matrix, double size = 1) {
   for (Index i = 0; i < matrix.size(); ++i) matrix.data()[i] = size * (2 * random.uniform() - 1);
@@ -63,7 +67,7 @@ Matrix<double> plain_outputs(const NormalisedShape& shape, const std::vector<dou
 }
 
 /// A predator's networks and a batch, all small and in double.
-struct Specimen {
+struct OmarSpecimen {
   NormalisedShape actor_shape{MlpShape({3, 5, 4, 2}), 1};
   NormalisedShape critic_shape{MlpShape({5, 6, 4, 1}), 2};
   std::vector<double> actor, critic, target_actor, target_critic;
@@ -71,7 +75,7 @@ struct Specimen {
   Matrix<double> targets, uniform, best;
   OmarScratch<double> scratch;
 
-  explicit Specimen(std::uint64_t seed, Index rows = 9) {
+  explicit OmarSpecimen(std::uint64_t seed, Index rows = 9) {
     RandomStream random({.seed = seed});
     const auto numbers = [&](const NormalisedShape& shape) {
       std::vector<double> parameters(shape.parameters());
@@ -117,7 +121,7 @@ struct Specimen {
 
 /// Whether the derivatives with respect to all parameters are those of finite differences; where a unit goes on or off
 /// there is nothing to compare.
-void expect_derivatives(Specimen& specimen, std::vector<double>& parameters, const std::vector<double>& gradient,
+void expect_derivatives(OmarSpecimen& specimen, std::vector<double>& parameters, const std::vector<double>& gradient,
                         const std::function<double()>& value) {
   std::size_t compared = 0;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -139,7 +143,7 @@ void expect_derivatives(Specimen& specimen, std::vector<double>& parameters, con
 
 TEST(CriticLoss, ItsGradientIsThatOfFiniteDifferences) {
   for (const double conservatism : {0.0, 0.7, 5.0}) {
-    Specimen specimen(3);
+    OmarSpecimen specimen(3);
     std::vector<double> gradient(specimen.critic.size(), 0.0);
     specimen.critic_value(conservatism, gradient.data());
     expect_derivatives(specimen, specimen.critic, gradient, [&] {
@@ -151,7 +155,7 @@ TEST(CriticLoss, ItsGradientIsThatOfFiniteDifferences) {
 
 TEST(CriticLoss, IsTheOneWrittenDownPlainly) {
   for (const std::uint64_t seed : {1, 2, 3}) {
-    Specimen specimen(seed);
+    OmarSpecimen specimen(seed);
     const auto loss = specimen.critic_value(2);
     double error = 0;
     double conservative = 0;
@@ -174,7 +178,7 @@ TEST(CriticLoss, IsTheOneWrittenDownPlainly) {
 }
 
 TEST(CriticTargets, AreThoseWrittenDownPlainly) {
-  Specimen specimen(5, 40);
+  OmarSpecimen specimen(5, 40);
   const auto& batch = specimen.batch;
   const auto& shape = specimen.critic_shape;
   const Matrix<double> actions =
@@ -196,7 +200,7 @@ TEST(CriticTargets, AreThoseWrittenDownPlainly) {
 
 TEST(ActorLoss, ItsGradientIsThatOfFiniteDifferences) {
   for (const double imitation : {0.0, 0.3, 1.0}) {
-    Specimen specimen(4);
+    OmarSpecimen specimen(4);
     std::vector<double> gradient(specimen.actor.size(), 0.0);
     specimen.actor_value(imitation, gradient.data());
     expect_derivatives(specimen, specimen.actor, gradient, [&] { return specimen.actor_value(imitation); });
@@ -205,7 +209,7 @@ TEST(ActorLoss, ItsGradientIsThatOfFiniteDifferences) {
 
 TEST(ActorLoss, IsTheOneWrittenDownPlainly) {
   for (const double imitation : {0.0, 0.3, 1.0}) {
-    Specimen specimen(6);
+    OmarSpecimen specimen(6);
     const double loss = specimen.actor_value(imitation);
     const Matrix<double> actions =
         plain_outputs(specimen.actor_shape, specimen.actor, 0, specimen.batch.observations).array().tanh();
@@ -219,7 +223,7 @@ TEST(ActorLoss, IsTheOneWrittenDownPlainly) {
 }
 
 TEST(ActorLoss, OfConservativeQLearningLooksAtNoSearch) {
-  Specimen specimen(6);
+  OmarSpecimen specimen(6);
   const double loss = specimen.actor_value(0);
   specimen.best.resize(0, 0);
   EXPECT_EQ(specimen.actor_value(0), loss);
@@ -369,7 +373,7 @@ TEST(Search, IsTheOneWrittenDownPlainly) {
 }
 
 TEST(Search, OfTheFirstCriticNormalisesAllItsActionsTogether) {
-  Specimen specimen(8);
+  OmarSpecimen specimen(8);
   const auto values =
       first_critic(specimen.critic_shape, specimen.critic.data(), specimen.batch.observations, specimen.scratch);
   const auto wanted =
@@ -386,35 +390,20 @@ const test::Files& small_files() {
 }
 
 /// 200 transitions.
-const DataSet& small_data() {
+const DataSet& omar_data() {
   static const auto data = test::parse(small_files());
   return data;
 }
 
-OmarSettings small_settings() {
+OmarSettings small_omar() {
   auto settings = OmarSettings::published("simple_tag", "medium");
   settings.hidden = 8;
   settings.batch = 24;
   return settings;
 }
 
-constexpr sct::RecordKind kind{"OMARTEST", 1, "a test"};
-
-std::string saved(const OmarLearner& learner) {
-  sct::RecordWriter writer(kind);
-  learner.save(writer);
-  return std::move(writer).sealed();
-}
-
-void load(OmarLearner& learner, const std::string& bytes) {
-  const std::string source = "state";
-  sct::RecordReader reader(bytes, source, kind);
-  learner.load(reader);
-  EXPECT_TRUE(reader.done());
-}
-
 /// What a learner saves.
-struct State {
+struct OmarState {
   struct Network {
     std::vector<float> parameters, target;
     std::uint64_t steps = 0;
@@ -427,11 +416,11 @@ struct State {
   std::uint64_t steps = 0;
   std::array<Predator, 3> predators;
 
-  static State of(const OmarLearner& learner) {
+  static OmarState of(const OmarLearner& learner) {
     const auto bytes = saved(learner);
-    const std::string source = "state";
-    sct::RecordReader reader(bytes, source, kind);
-    State state;
+    const std::string source = "run";
+    sct::RecordReader reader(bytes, source, learner_record);
+    OmarState state;
     state.steps = reader.steps();
     for (auto& predator : state.predators) {
       for (Network* network : {&predator.actor, &predator.critic})
@@ -444,7 +433,7 @@ struct State {
   }
 
   std::string bytes() const {
-    sct::RecordWriter writer(kind);
+    sct::RecordWriter writer(learner_record);
     writer.word(steps);
     for (const auto& predator : predators) {
       for (const Network* network : {&predator.actor, &predator.critic}) {
@@ -484,7 +473,7 @@ TEST(OmarLearner, AStepOfAllRowsIsWhatItsLossesSay) {
     for (const char* name : {"dones_0.npy", "dones_1.npy", "dones_2.npy"}) arrays[name].values[r] = 1;
   const auto files = test::files_of(arrays);
   const auto data = test::parse(files);
-  auto settings = small_settings();
+  auto settings = small_omar();
   settings.cql = true;
   settings.learning_rate = 0.05;  // so that targets are soon far from networks
   settings.batch = data.transitions();
@@ -492,9 +481,9 @@ TEST(OmarLearner, AStepOfAllRowsIsWhatItsLossesSay) {
   const NormalisedShape actor(MlpShape({16, 8, 8, 2}), 1);
   const NormalisedShape critic(MlpShape({18, 8, 8, 1}), 2);
   for (int i = 0; i < 5; ++i) {
-    const auto before = State::of(learner);
+    const auto before = OmarState::of(learner);
     const auto losses = learner.step();
-    const auto after = State::of(learner);
+    const auto after = OmarState::of(learner);
     ASSERT_EQ(losses.size(), 3U);
     EXPECT_EQ(losses[0].name, "critic");
     EXPECT_EQ(losses[1].name, "conservative");
@@ -538,7 +527,7 @@ TEST(OmarLearner, AStepOfAllRowsIsWhatItsLossesSay) {
 }
 
 TEST(OmarLearner, BeginsWithSmallActionsAndTargetsThatAreItsNetworks) {
-  const auto state = State::of(OmarLearner(small_data(), small_settings()));
+  const auto state = OmarState::of(OmarLearner(omar_data(), small_omar()));
   EXPECT_EQ(state.steps, 0U);
   for (const auto& predator : state.predators) {
     EXPECT_EQ(predator.actor.target, predator.actor.parameters);
@@ -557,13 +546,13 @@ TEST(OmarLearner, BeginsWithSmallActionsAndTargetsThatAreItsNetworks) {
 }
 
 TEST(OmarLearner, MovesByAdamAndItsTargetsFollow) {
-  auto settings = small_settings();
+  auto settings = small_omar();
   settings.averaging = 0.25;
-  OmarLearner learner(small_data(), settings);
-  const auto before = State::of(learner);
+  OmarLearner learner(omar_data(), settings);
+  const auto before = OmarState::of(learner);
   learner.step();
-  const auto after = State::of(learner);
-  const auto expect_followed = [](const State::Network& there, const State::Network& here) {
+  const auto after = OmarState::of(learner);
+  const auto expect_followed = [](const OmarState::Network& there, const OmarState::Network& here) {
     std::size_t moved = 0;
     EXPECT_EQ(here.steps, 1U);
     double length = 0;
@@ -588,11 +577,11 @@ TEST(OmarLearner, MovesByAdamAndItsTargetsFollow) {
 }
 
 TEST(OmarLearner, WithoutImitationIsConservativeQLearning) {
-  auto omar = small_settings();
+  auto omar = small_omar();
   auto cql = omar;
   cql.cql = true;
   const auto after = [](const OmarSettings& settings) {
-    OmarLearner learner(small_data(), settings);
+    OmarLearner learner(omar_data(), settings);
     for (int i = 0; i < 4; ++i) learner.step();
     return saved(learner);
   };
@@ -604,10 +593,10 @@ TEST(OmarLearner, WithoutImitationIsConservativeQLearning) {
 
 TEST(OmarLearner, WithImitationAloneGoesToWhereTheSearchGoes) {
   // Only the direction can be told: the actions come nearer to those that the critic values most.
-  auto settings = small_settings();
+  auto settings = small_omar();
   settings.imitation = 1;
   settings.learning_rate = 3e-3;
-  OmarLearner learner(small_data(), settings);
+  OmarLearner learner(omar_data(), settings);
   double first = 0;
   double last = 0;
   for (int i = 0; i < 100; ++i) {
@@ -619,11 +608,11 @@ TEST(OmarLearner, WithImitationAloneGoesToWhereTheSearchGoes) {
 }
 
 TEST(OmarLearner, FitsItsCritics) {
-  auto settings = small_settings();
+  auto settings = small_omar();
   settings.conservatism = 0.1;
   settings.learning_rate = 3e-2;
   settings.batch = 50;
-  OmarLearner learner(small_data(), settings);
+  OmarLearner learner(omar_data(), settings);
   const double first = learner.step()[0].value;
   double last = 0;
   for (int i = 0; i < 80; ++i) last = learner.step()[0].value;
@@ -632,9 +621,9 @@ TEST(OmarLearner, FitsItsCritics) {
 
 TEST(OmarLearner, ConservatismWidensTheGapBetweenDataAndOtherActions) {
   const auto gap = [](double conservatism) {
-    auto settings = small_settings();
+    auto settings = small_omar();
     settings.conservatism = conservatism;
-    OmarLearner learner(small_data(), settings);
+    OmarLearner learner(omar_data(), settings);
     double last = 0;
     for (int i = 0; i < 60; ++i) last = learner.step()[1].value;
     return last;
@@ -643,13 +632,13 @@ TEST(OmarLearner, ConservatismWidensTheGapBetweenDataAndOtherActions) {
 }
 
 TEST(OmarLearner, GoesOnFromWhatItSavedAsIfItHadNeverStopped) {
-  OmarLearner whole(small_data(), small_settings());
+  OmarLearner whole(omar_data(), small_omar());
   std::string middle;
   for (int i = 0; i < 6; ++i) {
     if (i == 3) middle = saved(whole);
     whole.step();
   }
-  OmarLearner again(small_data(), small_settings());
+  OmarLearner again(omar_data(), small_omar());
   again.step();  // what was before is gone
   load(again, middle);
   EXPECT_EQ(again.steps(), 3U);
@@ -660,18 +649,18 @@ TEST(OmarLearner, GoesOnFromWhatItSavedAsIfItHadNeverStopped) {
 }
 
 TEST(OmarLearner, RefusesNumbersOfAnotherNetworkAndStaysAsItWas) {
-  OmarLearner learner(small_data(), small_settings());
+  OmarLearner learner(omar_data(), small_omar());
   learner.step();
   const auto before = saved(learner);
   const auto refuses = [&](const std::string& bytes, const std::string& part) {
-    expect_error<InputFileError>([&] { load(learner, bytes); }, "state: " + part);
+    expect_error<InputFileError>([&] { load(learner, bytes); }, "run: " + part);
     EXPECT_EQ(saved(learner), before);
   };
-  auto wider = small_settings();
+  auto wider = small_omar();
   wider.hidden = 9;
-  refuses(saved(OmarLearner(small_data(), wider)), "a checkpoint of other networks");
-  const auto good = State::of(learner);
-  const auto change = [&](const std::function<void(State::Predator&)>& how, const std::string& part) {
+  refuses(saved(OmarLearner(omar_data(), wider)), "a checkpoint of other networks");
+  const auto good = OmarState::of(learner);
+  const auto change = [&](const std::function<void(OmarState::Predator&)>& how, const std::string& part) {
     auto state = good;
     state.steps = 7;
     how(state.predators[2]);  // after two that fit
@@ -685,16 +674,16 @@ TEST(OmarLearner, RefusesNumbersOfAnotherNetworkAndStaysAsItWas) {
   change([](auto& p) { p.actor.second.clear(); }, "a checkpoint of other networks");
   change([](auto& p) { p.variance[15] = -1; }, "damaged checkpoint: a mean square below 0");
   change([](auto& p) { p.critic.second[0] = -1; }, "damaged checkpoint: a mean square below 0");
-  sct::RecordWriter writer(kind);
+  sct::RecordWriter writer(learner_record);
   writer.word(7);
   refuses(std::move(writer).sealed(), "damaged checkpoint: ends too soon");
 }
 
 TEST(OmarLearnerThreads, ChangeNoBit) {
   const auto after = [](unsigned threads) {
-    auto settings = small_settings();
+    auto settings = small_omar();
     settings.threads = threads;
-    OmarLearner learner(small_data(), settings);
+    OmarLearner learner(omar_data(), settings);
     for (int i = 0; i < 4; ++i) learner.step();
     return saved(learner);
   };
@@ -704,10 +693,10 @@ TEST(OmarLearnerThreads, ChangeNoBit) {
 }
 
 TEST(OmarLearner, DependsOnItsSeed) {
-  auto settings = small_settings();
-  OmarLearner one(small_data(), settings);
+  auto settings = small_omar();
+  OmarLearner one(omar_data(), settings);
   settings.seed = 2;
-  OmarLearner other(small_data(), settings);
+  OmarLearner other(omar_data(), settings);
   // Even from the same numbers: the batches are others.
   load(other, saved(one));
   one.step(), other.step();
@@ -715,14 +704,14 @@ TEST(OmarLearner, DependsOnItsSeed) {
 }
 
 TEST(OmarLearner, GivesThePolicyOfItsActorsInTheWorld) {
-  OmarLearner learner(small_data(), small_settings());
+  OmarLearner learner(omar_data(), small_omar());
   for (int i = 0; i < 3; ++i) learner.step();
   const auto policy = parse_policy(learner.policy({{"data", "small"}}), "policy");
   EXPECT_EQ(policy.scenario, "simple_tag");
   EXPECT_EQ(policy.side, Side::predators);
   EXPECT_EQ(policy.notes, (std::map<std::string, std::string>{{"data", "small"}}));
   ASSERT_EQ(policy.networks.size(), 3U);
-  const auto state = State::of(learner);
+  const auto state = OmarState::of(learner);
   for (std::size_t agent = 0; agent < 3; ++agent) {
     const auto& network = policy.networks[agent];
     const auto& predator = state.predators[agent];
@@ -742,12 +731,12 @@ TEST(OmarLearner, SaysWhatItsRunDependsOn) {
   auto settings = OmarSettings::published("simple_world", "medium");
   settings.hidden = 8;
   settings.batch = 24;
-  EXPECT_EQ(OmarLearner(small_data(), settings).description(),
+  EXPECT_EQ(OmarLearner(omar_data(), settings).description(),
             "learner = omar\nconservatism = 0.5\nimitation = 0.1\nhidden = 8\nlearning-rate = 0.01\nbatch = 24\n"
             "discount = 0.95\naveraging = 0.01\nclip = 0.5\nseed = 1\n");
   settings.cql = true;
   settings.threads = 2;
-  EXPECT_EQ(OmarLearner(small_data(), settings).description(),
+  EXPECT_EQ(OmarLearner(omar_data(), settings).description(),
             "learner = cql\nconservatism = 0.5\nhidden = 8\nlearning-rate = 0.01\nbatch = 24\ndiscount = 0.95\n"
             "averaging = 0.01\nclip = 0.5\nseed = 1\n");
 }
@@ -781,9 +770,9 @@ TEST(OmarSettings, AreThePublishedOnesOfScenarioAndLevel) {
 
 TEST(OmarSettings, MustBeInRange) {
   const auto refuses = [](const std::function<void(OmarSettings&)>& change, const std::string& part) {
-    auto settings = small_settings();
+    auto settings = small_omar();
     change(settings);
-    expect_error<UsageError>([&] { OmarLearner(small_data(), settings); }, part);
+    expect_error<UsageError>([&] { OmarLearner(omar_data(), settings); }, part);
   };
   refuses([](auto& s) { s.conservatism = -1; }, "conservatism -1");
   refuses([](auto& s) { s.imitation = 1.5; }, "imitation 1.5");

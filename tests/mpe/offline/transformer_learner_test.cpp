@@ -17,22 +17,24 @@
 
 #include "games/expect_error.h"
 #include "mpe/data/small_data_set.h"
+#include "mpe/offline/saved_learner.h"
 
 namespace folk::mpe {
 namespace {
 
 using folk::test::expect_error;
+using test::learner_record;
+using test::load;
+using test::saved;
 
-constexpr sct::RecordKind kind{"TESTTRAN", 1, "a test"};
-
-const DataSet& small_data() {
+const DataSet& episodes_of_tag() {
   static const test::Files files =
       test::files_of(test::played_arrays(Layout(Scenario::named("simple_tag")), test::pursuit_cast(), 3, 0, 8));
   static const DataSet data = test::parse(files);
   return data;
 }
 
-TransformerSettings small_settings() {
+TransformerSettings small_transformer() {
   TransformerSettings settings;
   settings.hidden = 16;
   settings.layers = 1;
@@ -44,46 +46,33 @@ TransformerSettings small_settings() {
 }
 
 TransformerSettings with(sct::LossMode mode) {
-  auto settings = small_settings();
+  auto settings = small_transformer();
   settings.mode = mode;
   return settings;
 }
 
 /// What a learner keeps.
-struct State {
+struct TransformerState {
   std::uint64_t steps = 0;
   std::vector<float> parameters, first, second;
 
-  static State of(const TransformerLearner& learner) { return parse(saved(learner)); }
-  static State parse(const std::string& bytes) {
-    static const std::string source = "state";
-    sct::RecordReader reader(bytes, source, kind);
-    State state;
+  static TransformerState of(const TransformerLearner& learner) { return parse(saved(learner)); }
+  static TransformerState parse(const std::string& bytes) {
+    static const std::string source = "run";
+    sct::RecordReader reader(bytes, source, learner_record);
+    TransformerState state;
     state.steps = reader.steps();
     for (auto* numbers : {&state.parameters, &state.first, &state.second}) *numbers = reader.floats();
     EXPECT_TRUE(reader.done());
     return state;
   }
   std::string bytes() const {
-    sct::RecordWriter writer(kind);
+    sct::RecordWriter writer(learner_record);
     writer.word(steps);
     for (const auto* numbers : {&parameters, &first, &second}) writer.floats(*numbers);
     return std::move(writer).sealed();
   }
-  static std::string saved(const OfflineLearner& learner) {
-    sct::RecordWriter writer(kind);
-    learner.save(writer);
-    return std::move(writer).sealed();
-  }
 };
-
-std::string saved(const OfflineLearner& learner) { return State::saved(learner); }
-
-void load(OfflineLearner& learner, const std::string& bytes) {
-  static const std::string source = "state";
-  sct::RecordReader reader(bytes, source, kind);
-  learner.load(reader);
-}
 
 // ---- what is learnt ----------------------------------------------------------------------------------------------
 
@@ -91,14 +80,14 @@ TEST(TransformerLearner, TakesTheStepOfItsLossOnTheWindowsItDraws) {
   for (const auto mode : {sct::LossMode::teacher, sct::LossMode::selfconf, sct::LossMode::composite}) {
     auto settings = with(mode);
     settings.dropout = 0;
-    TransformerLearner learner(small_data(), settings);
+    TransformerLearner learner(episodes_of_tag(), settings);
     const auto& network = learner.network();
     auto parameters = sct::initial_parameters(network.architecture(), settings.seed);
-    EXPECT_EQ(State::of(learner).parameters, parameters);
+    EXPECT_EQ(TransformerState::of(learner).parameters, parameters);
     sct::AdamWState<float> optimiser;
-    const auto scale = measured_scale(small_data());
+    const auto scale = measured_scale(episodes_of_tag());
     for (std::uint64_t step = 0; step < 3; ++step) {
-      const auto batch = draw_windows(small_data(), scale, settings.return_scale, settings.batch, settings.context,
+      const auto batch = draw_windows(episodes_of_tag(), scale, settings.return_scale, settings.batch, settings.context,
                                       settings.seed, step);
       sct::SelfConfirmingLoss<float> loss(network, mode);
       std::vector<float> gradient(parameters.size());
@@ -113,7 +102,7 @@ TEST(TransformerLearner, TakesTheStepOfItsLossOnTheWindowsItDraws) {
       EXPECT_NEAR(losses[0].value, expected.belief, 1e-5);
       EXPECT_NEAR(losses[1].value, expected.action, 1e-5);
       EXPECT_EQ(learner.steps(), step + 1);
-      const auto state = State::of(learner);
+      const auto state = TransformerState::of(learner);
       for (std::size_t i = 0; i < parameters.size(); ++i) {
         ASSERT_NEAR(state.first[i], optimiser.first[i], 1e-5) << i;
         if (step > 0 || std::abs(gradient[i]) < 1e-3F) continue;  // Adam's step is of its sign alone
@@ -126,8 +115,8 @@ TEST(TransformerLearner, TakesTheStepOfItsLossOnTheWindowsItDraws) {
 
 TEST(TransformerLearner, LearnsInAHundredSteps) {
   for (const auto mode : {sct::LossMode::teacher, sct::LossMode::selfconf, sct::LossMode::action_only}) {
-    auto settings = mode == sct::LossMode::action_only ? madt(small_settings()) : with(mode);
-    TransformerLearner learner(small_data(), settings);
+    auto settings = mode == sct::LossMode::action_only ? madt(small_transformer()) : with(mode);
+    TransformerLearner learner(episodes_of_tag(), settings);
     std::array<double, 2> first{}, last{};
     for (int i = 0; i < 100; ++i) {
       const auto losses = learner.step();
@@ -145,10 +134,10 @@ TEST(TransformerLearner, LearnsInAHundredSteps) {
 }
 
 TEST(TransformerLearner, LeavesAloneWhatItsLossDoesNotAsk) {
-  TransformerLearner learner(small_data(), madt(small_settings()));
-  const auto before = State::of(learner).parameters;
+  TransformerLearner learner(episodes_of_tag(), madt(small_transformer()));
+  const auto before = TransformerState::of(learner).parameters;
   for (int i = 0; i < 3; ++i) learner.step();
-  const auto after = State::of(learner).parameters;
+  const auto after = TransformerState::of(learner).parameters;
   for (const auto& tensor : learner.network().layout().tensors()) {
     const auto begin = static_cast<std::ptrdiff_t>(tensor.offset);
     const auto end = begin + static_cast<std::ptrdiff_t>(tensor.size());
@@ -164,12 +153,12 @@ TEST(TransformerLearner, DropsOutOtherUnitsInEveryStep) {
       test::files_of(test::played_arrays(Layout(Scenario::named("simple_tag")), test::pursuit_cast(), 3, 0, 1));
   const DataSet data = test::parse(files);
   const auto belief = [&](double dropout, std::uint64_t step) {
-    auto settings = small_settings();
+    auto settings = small_transformer();
     settings.dropout = dropout;
     settings.context = 25;
     settings.batch = 1;
     TransformerLearner learner(data, settings);
-    auto state = State::of(learner);
+    auto state = TransformerState::of(learner);
     state.steps = step;
     load(learner, state.bytes());
     return learner.step()[0].value;
@@ -182,12 +171,12 @@ TEST(TransformerLearner, DropsOutOtherUnitsInEveryStep) {
 }
 
 TEST(TransformerLearner, DependsOnItsSeed) {
-  auto settings = small_settings();
+  auto settings = small_transformer();
   settings.dropout = 0;
-  TransformerLearner one(small_data(), settings);
+  TransformerLearner one(episodes_of_tag(), settings);
   settings.seed = 2;
-  TransformerLearner other(small_data(), settings);
-  EXPECT_NE(State::of(one).parameters, State::of(other).parameters);
+  TransformerLearner other(episodes_of_tag(), settings);
+  EXPECT_NE(TransformerState::of(one).parameters, TransformerState::of(other).parameters);
   load(other, saved(one));  // even from the same numbers: the windows are others
   one.step(), other.step();
   EXPECT_NE(saved(one), saved(other));
@@ -197,7 +186,7 @@ TEST(TransformerLearner, HasTheLossOfItsMode) {
   const auto after = [](sct::LossMode mode) {
     auto settings = with(mode);
     settings.dropout = 0;
-    TransformerLearner learner(small_data(), settings);
+    TransformerLearner learner(episodes_of_tag(), settings);
     const auto losses = learner.step();
     return std::pair(losses[0].value, losses[1].value);
   };
@@ -212,13 +201,13 @@ TEST(TransformerLearner, HasTheLossOfItsMode) {
 
 TEST(TransformerLearner, GoesOnFromWhatItSavedAsIfItHadNeverStopped) {
   for (const auto mode : {sct::LossMode::teacher, sct::LossMode::selfconf}) {
-    TransformerLearner whole(small_data(), with(mode));
+    TransformerLearner whole(episodes_of_tag(), with(mode));
     std::string middle;
     for (int i = 0; i < 6; ++i) {
       if (i == 3) middle = saved(whole);
       whole.step();
     }
-    TransformerLearner again(small_data(), with(mode));
+    TransformerLearner again(episodes_of_tag(), with(mode));
     again.step();  // what was before is gone
     load(again, middle);
     EXPECT_EQ(again.steps(), 3U);
@@ -234,7 +223,7 @@ TEST(TransformerLearnerThreads, ChangeNoBit) {
     const auto after = [&](unsigned threads) {
       auto settings = with(mode);
       settings.threads = threads;
-      TransformerLearner learner(small_data(), settings);
+      TransformerLearner learner(episodes_of_tag(), settings);
       for (int i = 0; i < 4; ++i) learner.step();
       return saved(learner);
     };
@@ -245,28 +234,28 @@ TEST(TransformerLearnerThreads, ChangeNoBit) {
 }
 
 TEST(TransformerLearner, RefusesNumbersOfAnotherNetworkAndStaysAsItWas) {
-  TransformerLearner learner(small_data(), small_settings());
+  TransformerLearner learner(episodes_of_tag(), small_transformer());
   learner.step();
   const auto before = saved(learner);
   const auto refuses = [&](const std::string& bytes, const std::string& part) {
-    expect_error<InputFileError>([&] { load(learner, bytes); }, "state: damaged checkpoint: " + part);
+    expect_error<InputFileError>([&] { load(learner, bytes); }, "run: damaged checkpoint: " + part);
     EXPECT_EQ(saved(learner), before);
     EXPECT_EQ(learner.steps(), 1U);
   };
-  auto wider = small_settings();
+  auto wider = small_transformer();
   wider.hidden = 17;
-  refuses(saved(TransformerLearner(small_data(), wider)), "a network of another size");
-  const auto change = [&](const std::function<void(State&)>& how, const std::string& part) {
-    auto state = State::parse(before);
+  refuses(saved(TransformerLearner(episodes_of_tag(), wider)), "a network of another size");
+  const auto change = [&](const std::function<void(TransformerState&)>& how, const std::string& part) {
+    auto state = TransformerState::parse(before);
     state.steps = 7;
     how(state);
     refuses(state.bytes(), part);
   };
-  change([](State& s) { s.parameters.pop_back(); }, "a network of another size");
-  change([](State& s) { s.first.push_back(0); }, "a network of another size");
-  change([](State& s) { s.second.clear(); }, "a network of another size");
-  change([](State& s) { s.second.back() = -1; }, "a mean square below 0");
-  sct::RecordWriter writer(kind);
+  change([](TransformerState& s) { s.parameters.pop_back(); }, "a network of another size");
+  change([](TransformerState& s) { s.first.push_back(0); }, "a network of another size");
+  change([](TransformerState& s) { s.second.clear(); }, "a network of another size");
+  change([](TransformerState& s) { s.second.back() = -1; }, "a mean square below 0");
+  sct::RecordWriter writer(learner_record);
   writer.word(7);
   refuses(std::move(writer).sealed(), "ends too soon");
 }
@@ -298,7 +287,7 @@ TEST(TransformerSettings, AreThoseOfThePublishedProgram) {
 
 /// As large as the published network.
 TEST(TransformerLearner, HasAsManyParametersAsThePublishedNetwork) {
-  const TransformerLearner learner(small_data(), {});
+  const TransformerLearner learner(episodes_of_tag(), {});
   auto architecture = learner.network().architecture();
   EXPECT_EQ(architecture.time_rows, 26U);
   EXPECT_EQ(architecture.round_tokens(), 8U);
@@ -307,14 +296,14 @@ TEST(TransformerLearner, HasAsManyParametersAsThePublishedNetwork) {
   EXPECT_EQ(sct::ParameterLayout(architecture).size(), 639'129U);
   TransformerSettings settings;
   settings.readout = sct::Readout::token;
-  EXPECT_EQ(TransformerLearner(small_data(), settings).network().layout().size(), 603'400U);
+  EXPECT_EQ(TransformerLearner(episodes_of_tag(), settings).network().layout().size(), 603'400U);
 }
 
 TEST(TransformerLearner, IsMadtAndRmadtByTheirSettings) {
   const auto of = [](const TransformerSettings& settings) {
-    return TransformerLearner(small_data(), settings).trained();
+    return TransformerLearner(episodes_of_tag(), settings).trained();
   };
-  auto base = small_settings();
+  auto base = small_transformer();
   base.mode = sct::LossMode::selfconf;
   base.seed = 9;
   const auto without = of(madt(base));
@@ -334,35 +323,35 @@ TEST(TransformerLearner, IsMadtAndRmadtByTheirSettings) {
     EXPECT_EQ(policy.architecture.hidden, 16U);
     EXPECT_EQ(policy.architecture.layers, 1U);
     EXPECT_EQ(policy.architecture.context, 5U);
-    EXPECT_EQ(policy.architecture, particle_architecture(small_data().scenario(), policy.architecture));
+    EXPECT_EQ(policy.architecture, particle_architecture(episodes_of_tag().scenario(), policy.architecture));
   }
   EXPECT_EQ(madt(base).seed, 9U);
   EXPECT_EQ(rmadt(base).optimiser.learning_rate, 3e-3);
 }
 
 TEST(TransformerLearner, GivesThePolicyThatItIs) {
-  auto settings = small_settings();
+  auto settings = small_transformer();
   settings.mode = sct::LossMode::selfconf;
   settings.return_scale = 50;
-  TransformerLearner learner(small_data(), settings);
+  TransformerLearner learner(episodes_of_tag(), settings);
   learner.step();
   const auto policy = parse_transformer_policy(learner.policy({{"data", "small"}}), "policy");
   EXPECT_EQ(policy.scenario, "simple_tag");
   EXPECT_EQ(policy.mode, sct::LossMode::selfconf);
   EXPECT_EQ(policy.architecture, learner.network().architecture());
-  EXPECT_EQ(policy.parameters, State::of(learner).parameters);
-  EXPECT_EQ(policy.scale, measured_scale(small_data()));
+  EXPECT_EQ(policy.parameters, TransformerState::of(learner).parameters);
+  EXPECT_EQ(policy.scale, measured_scale(episodes_of_tag()));
   EXPECT_EQ(policy.return_scale, 50);
   EXPECT_EQ(policy.notes, (std::map<std::string, std::string>{{"data", "small"}}));
   double sum = 0;
-  for (std::size_t row = 0; row < 200; ++row) sum += static_cast<double>(small_data().reward(0, row));
+  for (std::size_t row = 0; row < 200; ++row) sum += static_cast<double>(episodes_of_tag().reward(0, row));
   EXPECT_DOUBLE_EQ(policy.return_target, sum / 8);
 }
 
 TEST(TransformerLearner, SaysWhatItsRunDependsOn) {
-  auto settings = small_settings();
+  auto settings = small_transformer();
   settings.threads = 2;  // on which it does not
-  EXPECT_EQ(TransformerLearner(small_data(), settings).description(),
+  EXPECT_EQ(TransformerLearner(episodes_of_tag(), settings).description(),
             "loss = teacher\nreadout = cat\nbelief-token = true\nhidden = 16\nlayers = 1\nheads = 1\ncontext = 5\n"
             "batch = 20\ndropout = 0.1\nreturn-scale = 100\nlearning-rate = 0.003\nweight-decay = 0.0001\nclip = 0.25\n"
             "warmup = 10\ndecay-steps = 0\nseed = 1\n");
@@ -370,9 +359,9 @@ TEST(TransformerLearner, SaysWhatItsRunDependsOn) {
 
 TEST(TransformerSettings, MustBeInRange) {
   const auto refuses = [](const std::function<void(TransformerSettings&)>& change, const std::string& part) {
-    auto settings = small_settings();
+    auto settings = small_transformer();
     change(settings);
-    expect_error<UsageError>([&] { TransformerLearner(small_data(), settings); }, part);
+    expect_error<UsageError>([&] { TransformerLearner(episodes_of_tag(), settings); }, part);
   };
   refuses([](auto& s) { s.batch = 0; }, "batch 0");
   refuses([](auto& s) { s.batch = 65'537; }, "batch 65537");

@@ -18,8 +18,8 @@ namespace folk::mpe {
 namespace {
 
 /// A few episodes as arrays and as data.
-struct Specimen {
-  explicit Specimen(const char* scenario, std::size_t episodes = 4)
+struct WindowSpecimen {
+  explicit WindowSpecimen(const char* scenario, std::size_t episodes = 4)
       : arrays(test::played_arrays(Layout(Scenario::named(scenario)), test::pursuit_cast(), 3, 0, episodes)),
         files(test::files_of(arrays)),
         data(test::parse(files)) {}
@@ -29,13 +29,13 @@ struct Specimen {
   DataSet data;
 };
 
-const Specimen& tag() {
-  static const Specimen specimen("simple_tag");
+const WindowSpecimen& tag() {
+  static const WindowSpecimen specimen("simple_tag");
   return specimen;
 }
 
 /// A window where it begins, found by what the prey did.
-std::pair<std::size_t, std::size_t> place_of(const Specimen& specimen, const sct::Batch<float>& batch,
+std::pair<std::size_t, std::size_t> place_of(const WindowSpecimen& specimen, const sct::Batch<float>& batch,
                                              std::size_t round) {
   const auto start = static_cast<std::size_t>(batch.timesteps[round]);
   const auto& prey = specimen.arrays.at("acs_3.npy").values;
@@ -50,7 +50,7 @@ std::pair<std::size_t, std::size_t> place_of(const Specimen& specimen, const sct
 }
 
 /// Holds every number of a batch against the arrays.
-void expect_plain(const Specimen& specimen, const sct::Batch<float>& batch, const ObservationScale& scale,
+void expect_plain(const WindowSpecimen& specimen, const sct::Batch<float>& batch, const ObservationScale& scale,
                   double return_scale, std::size_t windows, std::size_t length) {
   const std::size_t size = specimen.data.scenario().observation_size(0);
   ASSERT_EQ(batch.window_rounds, std::vector<std::size_t>(windows, length));
@@ -90,7 +90,7 @@ void expect_plain(const Specimen& specimen, const sct::Batch<float>& batch, cons
 
 TEST(TransformerWindows, AreStretchesOfTheData) {
   for (const char* scenario : {"simple_tag", "simple_world"}) {
-    const Specimen specimen(scenario);
+    const WindowSpecimen specimen(scenario);
     const auto scale = measured_scale(specimen.data);
     for (const std::size_t context : {1, 5, 20, 25})
       expect_plain(specimen, draw_windows(specimen.data, scale, 100, 30, context, 7, 3), scale, 100, 30, context);

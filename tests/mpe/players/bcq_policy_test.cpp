@@ -92,7 +92,7 @@ TEST(BcqPolicy, IsAsItsHeaderDescribesIt) {
 }
 
 /// What is said of a file after a change.
-void expect_refusal(const std::function<void(SafetensorsDraft&)>& change, const std::string& part) {
+void expect_bcq_refusal(const std::function<void(SafetensorsDraft&)>& change, const std::string& part) {
   auto draft = SafetensorsDraft::of(bcq_policy_bytes(any_policy("simple_tag")));
   parse_bcq_policy(draft.bytes(), "unchanged");
   change(draft);
@@ -109,54 +109,56 @@ TEST(BcqPolicyRefusal, OfWhatIsNoSuchFile) {
 
 TEST(BcqPolicyRefusal, OfOtherMetadata) {
   for (const char* key : {"format", "scenario", "candidates", "perturbation"})
-    expect_refusal([&](SafetensorsDraft& d) { d.metadata.erase(key); }, fmt::format("metadata '{}' is missing", key));
-  expect_refusal([](SafetensorsDraft& d) { d.metadata["format"] = "folk-mpe-1"; },
-                 "format 'folk-mpe-1': expected folk-mpe-bcq-1");
-  expect_refusal([](SafetensorsDraft& d) { d.metadata["scenario"] = "simple\nspread"; },
-                 "scenario 'simple?spread': expected simple_tag or simple_world");
+    expect_bcq_refusal([&](SafetensorsDraft& d) { d.metadata.erase(key); },
+                       fmt::format("metadata '{}' is missing", key));
+  expect_bcq_refusal([](SafetensorsDraft& d) { d.metadata["format"] = "folk-mpe-1"; },
+                     "format 'folk-mpe-1': expected folk-mpe-bcq-1");
+  expect_bcq_refusal([](SafetensorsDraft& d) { d.metadata["scenario"] = "simple\nspread"; },
+                     "scenario 'simple?spread': expected simple_tag or simple_world");
   for (const char* word : {"", "0", "10001", "-1", "1.5", "7 ", " 7", "x", "99999999999999999999999"})
-    expect_refusal([&](SafetensorsDraft& d) { d.metadata["candidates"] = word; },
-                   fmt::format("candidates '{}': expected a number from 1 to 10000", word));
+    expect_bcq_refusal([&](SafetensorsDraft& d) { d.metadata["candidates"] = word; },
+                       fmt::format("candidates '{}': expected a number from 1 to 10000", word));
   for (const char* word : {"", "-0.1", "2.1", "nan", "inf", "0.05x"})
-    expect_refusal([&](SafetensorsDraft& d) { d.metadata["perturbation"] = word; },
-                   fmt::format("perturbation '{}': expected a number from 0 to 2", word));
+    expect_bcq_refusal([&](SafetensorsDraft& d) { d.metadata["perturbation"] = word; },
+                       fmt::format("perturbation '{}': expected a number from 0 to 2", word));
 }
 
 TEST(BcqPolicyRefusal, OfTensorsThatAreMissingOrTooMany) {
   for (const char* name : {"agent0.decoder.fc1.weight", "agent1.perturbation.fc2.bias", "agent2.critic.fc1.bias"})
-    expect_refusal([&](SafetensorsDraft& d) { d.tensors.erase(name); }, fmt::format("tensor '{}' is missing", name));
+    expect_bcq_refusal([&](SafetensorsDraft& d) { d.tensors.erase(name); },
+                       fmt::format("tensor '{}' is missing", name));
   for (const char* name : {"extra", "agent3.critic.fc1.bias", "agent0.decoder.fc5.bias", "agent0.fc1.weight"})
-    expect_refusal([&](SafetensorsDraft& d) { d.put(name, {1}); },
-                   fmt::format("tensor '{}' has no place in a policy", name));
+    expect_bcq_refusal([&](SafetensorsDraft& d) { d.put(name, {1}); },
+                       fmt::format("tensor '{}' has no place in a policy", name));
 }
 
 TEST(BcqPolicyRefusal, OfOtherShapesAndNumbers) {
   const auto put = [](const char* name, std::vector<std::uint64_t> shape) {
     return [name, shape](SafetensorsDraft& d) { d.put(name, shape); };
   };
-  expect_refusal(put("agent0.decoder.fc1.weight", {6, 16}),
-                 "the decoder of agent0 has 16 inputs: expected more than 16, what is observed");
-  expect_refusal(put("agent1.perturbation.fc1.weight", {4, 17}),
-                 "the perturbation of agent1 has 17 inputs: expected 18, what is observed and an action");
-  expect_refusal(put("agent2.critic.fc1.weight", {5, 19}),
-                 "the critic of agent2 has 19 inputs: expected 18, what is observed and an action");
-  expect_refusal([](SafetensorsDraft& d) { d.metadata["scenario"] = "simple_world"; },
-                 "the decoder of agent0 has 20 inputs: expected more than 24");
+  expect_bcq_refusal(put("agent0.decoder.fc1.weight", {6, 16}),
+                     "the decoder of agent0 has 16 inputs: expected more than 16, what is observed");
+  expect_bcq_refusal(put("agent1.perturbation.fc1.weight", {4, 17}),
+                     "the perturbation of agent1 has 17 inputs: expected 18, what is observed and an action");
+  expect_bcq_refusal(put("agent2.critic.fc1.weight", {5, 19}),
+                     "the critic of agent2 has 19 inputs: expected 18, what is observed and an action");
+  expect_bcq_refusal([](SafetensorsDraft& d) { d.metadata["scenario"] = "simple_world"; },
+                     "the decoder of agent0 has 20 inputs: expected more than 24");
   const auto outputs = [](const char* part, std::uint64_t inputs, std::uint64_t count) {
     return [=](SafetensorsDraft& d) {
       d.put(fmt::format("agent1.{}.weight", part), {count, inputs});
       d.put(fmt::format("agent1.{}.bias", part), {count});
     };
   };
-  expect_refusal(outputs("decoder.fc3", 5, 3), "the decoder of agent1 has 3 outputs: expected 2");
-  expect_refusal(outputs("perturbation.fc2", 4, 1), "the perturbation of agent1 has 1 outputs: expected 2");
-  expect_refusal(outputs("critic.fc2", 5, 2), "the critic of agent1 has 2 outputs: expected 1");
-  expect_refusal(put("agent0.critic.fc1.weight", {5000, 18}), "tensor 'agent0.critic.fc1.weight' has shape");
-  expect_refusal([](SafetensorsDraft& d) { d.tensors["agent1.critic.fc2.weight"].dtype = "F64"; },
-                 "tensor 'agent1.critic.fc2.weight' has type F64: expected F32");
+  expect_bcq_refusal(outputs("decoder.fc3", 5, 3), "the decoder of agent1 has 3 outputs: expected 2");
+  expect_bcq_refusal(outputs("perturbation.fc2", 4, 1), "the perturbation of agent1 has 1 outputs: expected 2");
+  expect_bcq_refusal(outputs("critic.fc2", 5, 2), "the critic of agent1 has 2 outputs: expected 1");
+  expect_bcq_refusal(put("agent0.critic.fc1.weight", {5000, 18}), "tensor 'agent0.critic.fc1.weight' has shape");
+  expect_bcq_refusal([](SafetensorsDraft& d) { d.tensors["agent1.critic.fc2.weight"].dtype = "F64"; },
+                     "tensor 'agent1.critic.fc2.weight' has type F64: expected F32");
   for (const float bad : {std::numeric_limits<float>::quiet_NaN(), -std::numeric_limits<float>::infinity()})
-    expect_refusal([&](SafetensorsDraft& d) { d.set_number("agent2.decoder.fc3.bias", 1, bad); },
-                   "tensor 'agent2.decoder.fc3.bias' holds a number that is not finite");
+    expect_bcq_refusal([&](SafetensorsDraft& d) { d.set_number("agent2.decoder.fc3.bias", 1, bad); },
+                       "tensor 'agent2.decoder.fc3.bias' holds a number that is not finite");
 }
 
 TEST(BcqPolicyToWrite, MustBeOneThatCanBeRead) {

@@ -24,7 +24,7 @@ constexpr const char* counting_program =
     "exec:\"n=0; while read -r what rest; do case $what in episode) n=0;; end) exit 0;;"
     " act) n=$((n+1)); echo \\\"0.$n -0.$n\\\";; esac; done\"";
 
-std::vector<std::string> specimens(Side side) {
+std::vector<std::string> all_players(Side side) {
   std::vector<std::string> names{"still",
                                  "random",
                                  "random(program)",
@@ -46,7 +46,7 @@ TEST(ControllerConformance, OfEveryName) {
   for (const char* name : {"simple_tag", "simple_world"})
     for (const Side side : {Side::predators, Side::prey}) {
       const auto scenario = Scenario::named(name);
-      for (const auto& spec : specimens(side))
+      for (const auto& spec : all_players(side))
         expect_sound_controller(controller(spec, side, scenario, policies.folder()), side, scenario);
       const auto file = policies.file(name, side == Side::prey ? "maddpg" : "medium").string();
       expect_sound_controller(controller(file, side, scenario, policies.folder()), side, scenario);
@@ -94,7 +94,7 @@ TEST(ControllerNames, AreReadBack) {
   const auto scenario = Scenario::named("simple_tag");
   const Layout layout(scenario);
   for (const Side side : {Side::predators, Side::prey})
-    for (const auto& spec : specimens(side)) {
+    for (const auto& spec : all_players(side)) {
       const auto once = controller(spec, side, scenario, policies.folder());
       const auto again = controller(once.name, side, scenario, policies.folder());
       EXPECT_EQ(again.name, once.name);

@@ -23,7 +23,7 @@ namespace {
 using namespace std::chrono_literals;
 using folk::test::expect_error;
 
-const Layout& layout(const std::string& scenario = "simple_tag") {
+const Layout& exec_layout(const std::string& scenario = "simple_tag") {
   static const Layout tag(Scenario::named("simple_tag"));
   static const Layout world(Scenario::named("simple_world"));
   return scenario == "simple_tag" ? tag : world;
@@ -38,7 +38,7 @@ std::string program(const std::string& act) {
 
 TEST(ExecParticle, MovesAsTheProgramAnswers) {
   const Cast cast{exec_controller(program("echo 0.25 -0.5")), exec_controller("\"" + program("echo 0 1e-2") + "\"")};
-  const auto record = record_episode(layout(), cast, 1, 0);
+  const auto record = record_episode(exec_layout(), cast, 1, 0);
   ASSERT_EQ(record.rows.size(), 26U);
   for (std::size_t t = 1; t < 26; ++t)
     EXPECT_EQ(record.rows[t].actions, (std::vector<Point>{{0.25, -0.5}, {0.25, -0.5}, {0.25, -0.5}, {0, 0.01}}));
@@ -92,7 +92,7 @@ TEST(ExecParticle, TakesQuotesOff) {
   EXPECT_EQ(say("\"./player 1\""), "exec:\"./player 1\"");
   EXPECT_EQ(say("\"echo \\\"a\\\" \\\\ b\""), "exec:\"echo \\\"a\\\" \\\\ b\"");
   const Cast cast{exec_controller("\"" + program("echo \\\"0.5 0.25\\\"") + "\""), still_player()};
-  EXPECT_EQ(record_episode(layout(), cast, 1, 0).rows[1].actions[2], (Point{0.5, 0.25}));
+  EXPECT_EQ(record_episode(exec_layout(), cast, 1, 0).rows[1].actions[2], (Point{0.5, 0.25}));
   EXPECT_TRUE(exec_controller("x").one_by_one);
 }
 
@@ -130,8 +130,8 @@ Controller example() { return exec_controller("python3 '" FOLK_SOURCE_DIR "/exam
 TEST(ExecParticle, ThePythonExampleIsALeadPursuit) {
   if (!has_python()) GTEST_SKIP() << "no python3";
   for (const char* name : {"simple_tag", "simple_world"}) {
-    const auto record = record_episode(layout(name), {example(), random_player()}, 3, 0);
-    const auto wanted = record_episode(layout(name), {lead_pursuit(), random_player()}, 3, 0);
+    const auto record = record_episode(exec_layout(name), {example(), random_player()}, 3, 0);
+    const auto wanted = record_episode(exec_layout(name), {lead_pursuit(), random_player()}, 3, 0);
     for (std::size_t t = 1; t < 26; ++t)
       for (std::size_t agent = 0; agent < 3; ++agent) {
         EXPECT_NEAR(record.rows[t].actions[agent].x, wanted.rows[t].actions[agent].x, 1e-9);
@@ -145,11 +145,11 @@ TEST(ExecParticle, ThePythonExampleFlees) {
   const EpisodePlan plan{3, 0, 20, 1};
   double fleeing = 0;
   double still = 0;
-  for (const auto& score : score_episodes(layout("simple_world"), {greedy_pursuit(), example()}, plan)) {
+  for (const auto& score : score_episodes(exec_layout("simple_world"), {greedy_pursuit(), example()}, plan)) {
     fleeing += score.predators;
     EXPECT_LT(score.outside_steps, 20);
   }
-  for (const auto& score : score_episodes(layout("simple_world"), {greedy_pursuit(), still_player()}, plan))
+  for (const auto& score : score_episodes(exec_layout("simple_world"), {greedy_pursuit(), still_player()}, plan))
     still += score.predators;
   EXPECT_LT(fleeing, still);
 }
@@ -161,7 +161,7 @@ void expect_failure(const std::string& command, const std::string& part, std::ch
   const auto player = exec_controller(command, time_out);
   expect_error<EnvironmentError>(
       [&] {
-        record_episode(layout(), {still_player(), player}, 1, 0);
+        record_episode(exec_layout(), {still_player(), player}, 1, 0);
       },
       player.name + ": " + part);
 }
@@ -194,15 +194,19 @@ TEST(HostileParticle, ThatSpeaksUnasked) {
 
 // The next episode begins with a fresh program.
 TEST(HostileParticle, DoesNotSpoilTheNextEpisode) {
-  Batch batch(layout().scenario(), 1);
+  Batch batch(exec_layout().scenario(), 1);
   batch.reset(1);
   const Block block = batch.block(0);
-  const auto player = exec_controller("read -r a; read -r b; echo 0.5 0; read -r b; exit 1").player(layout(), 3);
+  const auto player = exec_controller("read -r a; read -r b; echo 0.5 0; read -r b; exit 1").player(exec_layout(), 3);
   for (int episode = 0; episode < 3; ++episode) {
-    player->start(layout(), block, 3, {});
-    player->act(layout(), block, 3, {});
+    player->start(exec_layout(), block, 3, {});
+    player->act(exec_layout(), block, 3, {});
     EXPECT_EQ(*action_rows(block, 3).x, 0.5);
-    expect_error<EnvironmentError>([&] { player->act(layout(), block, 3, {1, 0, 1}); }, "ended with exit status 1");
+    expect_error<EnvironmentError>(
+        [&] {
+          player->act(exec_layout(), block, 3, {1, 0, 1});
+        },
+        "ended with exit status 1");
   }
 }
 

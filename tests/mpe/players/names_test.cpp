@@ -26,7 +26,7 @@ Controller make(const std::string& spec, Side side, const char* scenario = "simp
 }
 
 /// Expects a UsageError for a name of a side.
-void expect_refusal(const std::string& spec, Side side, const std::string& part) {
+void expect_name_refusal(const std::string& spec, Side side, const std::string& part) {
   expect_error<UsageError>([&] { make(spec, side); }, part);
 }
 
@@ -54,44 +54,45 @@ TEST(PlayerNames, OfABlend) {
 
 TEST(PlayerNames, OfABlendThatMakesNoSense) {
   for (const char* p : {"1.5", "-0.1", "", "nan", "half", "0.5x", "0.5,still", " 0.5"})
-    expect_refusal("blend(" + std::string(p) + ")", Side::prey,
-                   "blend: probability '" + std::string(p) + "': expected a number from 0 to 1");
-  expect_refusal("blend(0.5;lead_pursuit)", Side::prey, "'lead_pursuit': no player of the prey");
-  expect_refusal("blend(0.5;stil)", Side::prey, "did you mean still?");
-  expect_refusal("blend(0.5;still;sharde)", Side::prey, "no player of the prey");
-  expect_refusal("blend(0.5;blend(0.5;still))", Side::prey, "a blend of a blend");
-  expect_refusal("blend(0.5;BLEND(0.5);shared)", Side::prey, "a blend of a blend");
+    expect_name_refusal("blend(" + std::string(p) + ")", Side::prey,
+                        "blend: probability '" + std::string(p) + "': expected a number from 0 to 1");
+  expect_name_refusal("blend(0.5;lead_pursuit)", Side::prey, "'lead_pursuit': no player of the prey");
+  expect_name_refusal("blend(0.5;stil)", Side::prey, "did you mean still?");
+  expect_name_refusal("blend(0.5;still;sharde)", Side::prey, "no player of the prey");
+  expect_name_refusal("blend(0.5;blend(0.5;still))", Side::prey, "a blend of a blend");
+  expect_name_refusal("blend(0.5;BLEND(0.5);shared)", Side::prey, "a blend of a blend");
   std::string deep;  // far deeper than the stack
   for (int i = 0; i < 1'000'000; ++i) deep += "blend(1;";
-  expect_refusal(deep + std::string(1'000'000, ')'), Side::prey, "a blend of a blend");
+  expect_name_refusal(deep + std::string(1'000'000, ')'), Side::prey, "a blend of a blend");
 }
 
 TEST(PlayerNames, OfTheWrongSide) {
   for (const char* spec : {"lead_pursuit", "greedy_pursuit", "expert", "medium"})
-    expect_refusal(spec, Side::prey, "'" + std::string(spec) + "': no player of the prey and no file has this name");
+    expect_name_refusal(spec, Side::prey,
+                        "'" + std::string(spec) + "': no player of the prey and no file has this name");
   for (const char* spec : {"released", "maddpg"}) {
-    expect_refusal(spec, Side::predators, "'" + std::string(spec) + "': no player of the predators and no file");
+    expect_name_refusal(spec, Side::predators, "'" + std::string(spec) + "': no player of the predators and no file");
     EXPECT_EQ(make(spec, Side::prey).name, spec);
   }
 }
 
 TEST(PlayerNames, ThatAreMisspeltAreShownTheNearest) {
-  expect_refusal("lead_pursit", Side::predators, ": did you mean lead_pursuit");
-  expect_refusal("reelased", Side::prey, ": did you mean released");
-  expect_refusal("zzzzzzzzzzzzzz", Side::prey, "has this name (known: still, random, random(program), blend(P),");
-  expect_refusal("", Side::prey, "''");
-  expect_refusal("still(3)", Side::prey, "did you mean still");
-  expect_refusal("a\nb", Side::prey, "'a?b'");
-  expect_refusal(std::string(100'000, 'x'), Side::prey, "xxx...'");
+  expect_name_refusal("lead_pursit", Side::predators, ": did you mean lead_pursuit");
+  expect_name_refusal("reelased", Side::prey, ": did you mean released");
+  expect_name_refusal("zzzzzzzzzzzzzz", Side::prey, "has this name (known: still, random, random(program), blend(P),");
+  expect_name_refusal("", Side::prey, "''");
+  expect_name_refusal("still(3)", Side::prey, "did you mean still");
+  expect_name_refusal("a\nb", Side::prey, "'a?b'");
+  expect_name_refusal(std::string(100'000, 'x'), Side::prey, "xxx...'");
 }
 
 TEST(PlayerNames, OfRandomAndUntrainedThatMakeNoSense) {
-  expect_refusal("random(normal)", Side::prey, "random(normal): expected random or random(program)");
-  expect_refusal("random()", Side::prey, "random(): expected random or random(program)");
+  expect_name_refusal("random(normal)", Side::prey, "random(normal): expected random or random(program)");
+  expect_name_refusal("random()", Side::prey, "random(): expected random or random(program)");
   for (const char* seed : {"", "x", "-1", "1e300", "nan"})
-    expect_refusal("untrained(" + std::string(seed) + ")", Side::prey,
-                   "untrained: seed '" + std::string(seed) + "': expected a number from 0");
-  expect_refusal("untrained(1.5)", Side::prey, "untrained: seed '1.5': expected a whole number");
+    expect_name_refusal("untrained(" + std::string(seed) + ")", Side::prey,
+                        "untrained: seed '" + std::string(seed) + "': expected a number from 0");
+  expect_name_refusal("untrained(1.5)", Side::prey, "untrained: seed '1.5': expected a whole number");
 }
 
 TEST(PlayerNames, OfFiles) {
@@ -136,8 +137,8 @@ TEST(PlayerNames, OfPrograms) {
   EXPECT_EQ(player.name, "exec:\"python3 player.py --depth 3\"");
   EXPECT_TRUE(player.one_by_one);
   EXPECT_EQ(make("exec:./player", Side::predators).name, "exec:\"./player\"");
-  expect_refusal("exec:", Side::prey, "exec: has no command");
-  expect_refusal("exec:\"\"", Side::prey, "exec: has no command");
+  expect_name_refusal("exec:", Side::prey, "exec: has no command");
+  expect_name_refusal("exec:\"\"", Side::prey, "exec: has no command");
 }
 
 TEST(SplitNames, AtCommasOutsideOfBracketsAndQuotes) {

@@ -15,13 +15,13 @@ namespace {
 
 using folk::test::expect_error;
 
-const Layout& layout() {
-  static const Layout layout(Scenario::named("simple_tag"));
-  return layout;
+const Layout& noisy_layout() {
+  static const Layout noisy_layout(Scenario::named("simple_tag"));
+  return noisy_layout;
 }
 
 Point action(const Cast& cast, std::uint64_t episode, std::size_t step, std::size_t agent) {
-  return record_episode(layout(), cast, 3, episode).rows[step + 1].actions[agent];
+  return record_episode(noisy_layout(), cast, 3, episode).rows[step + 1].actions[agent];
 }
 
 TEST(Noisy, AddsNormalNumbersToEachAction) {
@@ -30,7 +30,7 @@ TEST(Noisy, AddsNormalNumbersToEachAction) {
   double squares = 0;
   int count = 0;
   for (std::uint64_t episode = 0; episode < 60; ++episode) {
-    const auto record = record_episode(layout(), cast, 3, episode);
+    const auto record = record_episode(noisy_layout(), cast, 3, episode);
     for (std::size_t t = 1; t < record.rows.size(); ++t)
       for (std::size_t agent = 0; agent < 3; ++agent)
         for (const double u : {record.rows[t].actions[agent].x, record.rows[t].actions[agent].y}) {
@@ -86,7 +86,7 @@ TEST(Noisy, TellsThePlayerInsideOfEachStart) {
   const Controller disturbed = noisy(starts, 0.2);
   EXPECT_TRUE(disturbed.one_by_one);
   EXPECT_EQ(disturbed.name, "starts with noise 0.2");
-  record_episode(layout(), {disturbed, still_player()}, 1, 0);
+  record_episode(noisy_layout(), {disturbed, still_player()}, 1, 0);
   EXPECT_EQ(count, 3);
 }
 

@@ -199,7 +199,7 @@ TEST(PublishedPolicy, OfTheReleasedPreyIsShipped) {
 
 // ---- what is refused ---------------------------------------------------------------------------------------------
 
-void expect_refusal(const SafetensorsDraft& draft, const std::string& part) {
+void expect_file_refusal(const SafetensorsDraft& draft, const std::string& part) {
   expect_error<InputFileError>([&] { parse_policy(draft.bytes(), "p.safetensors"); }, "p.safetensors: " + part);
 }
 
@@ -208,7 +208,7 @@ void expect_refusal_of_own(const std::function<void(SafetensorsDraft&)>& change,
   auto draft = SafetensorsDraft::of(policy_bytes(predators_of_tag()));
   parse_policy(draft.bytes(), "unchanged");
   change(draft);
-  expect_refusal(draft, part);
+  expect_file_refusal(draft, part);
 }
 
 /// The same of one whose second agent normalises.
@@ -216,7 +216,7 @@ void expect_refusal_of_normalising(const std::function<void(SafetensorsDraft&)>&
   auto draft = SafetensorsDraft::of(policy_bytes(normalising_predators()));
   parse_policy(draft.bytes(), "unchanged");
   change(draft);
-  expect_refusal(draft, part);
+  expect_file_refusal(draft, part);
 }
 
 /// The same of the published form.
@@ -224,7 +224,7 @@ void expect_refusal_of_published(const std::function<void(SafetensorsDraft&)>& c
   auto draft = published_prey();
   parse_policy(draft.bytes(), "unchanged");
   change(draft);
-  expect_refusal(draft, part);
+  expect_file_refusal(draft, part);
 }
 
 TEST(PolicyRefusal, OfWhatIsNoSuchFile) {
@@ -234,7 +234,7 @@ TEST(PolicyRefusal, OfWhatIsNoSuchFile) {
   for (const std::size_t size : {8, 9, 100, 1000, static_cast<int>(whole.size()) - 1})
     expect_error<InputFileError>([&] { parse_policy(whole.substr(0, size), "p"); }, "p: ");
   expect_error<InputFileError>([&] { parse_policy(whole + "1234", "p"); }, "p: 4 bytes too many");
-  expect_refusal({}, "tensor 'fc1.weight' is missing; it is no policy of this form");
+  expect_file_refusal({}, "tensor 'fc1.weight' is missing; it is no policy of this form");
 }
 
 TEST(PolicyRefusal, OfTensorsThatAreMissingOrTooMany) {
@@ -371,7 +371,7 @@ TEST(PolicyRefusal, OfOtherCounts) {
   auto prey = untrained_policy(Scenario::named("simple_tag"), Side::prey, 1, 4);
   auto draft = SafetensorsDraft::of(policy_bytes(prey));
   for (const auto& [name, tensor] : SafetensorsDraft(draft).tensors) draft.tensors["agent1" + name.substr(6)] = tensor;
-  expect_refusal(draft, "2 networks: expected 1");
+  expect_file_refusal(draft, "2 networks: expected 1");
 }
 
 TEST(PolicyRefusal, OfOtherMetadata) {

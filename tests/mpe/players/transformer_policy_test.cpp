@@ -38,7 +38,8 @@ TEST(TransformerPolicy, IsReadAsItWasWritten) {
   std::uint64_t seed = 0;
   for (const auto& kind : testing::transformer_kinds)
     for (const char* scenario : {"simple_tag", "simple_world"}) {
-      auto policy = small_transformer(kind, scenario, {.context = 1 + seed % 25, .layers = 1 + seed % 3}, ++seed);
+      auto policy = small_transformer(kind, scenario, {.context = 1 + seed % 25, .layers = 1 + seed % 3}, seed + 1);
+      ++seed;
       policy.scale.mean = {1.0F / 3, -0.0F, 1e-30F};
       policy.scale.deviation = {1e-6F, 0.1F, 3e8F};
       policy.return_scale = 1.0 / 3;
@@ -117,7 +118,7 @@ TEST(TransformerPolicy, HasTheStreamOfItsScenario) {
 using Change = std::function<void(SafetensorsDraft&)>;
 
 /// What is said of a file after a change, for which the checksum is mended.
-void expect_refusal(const Change& change, const std::string& part) {
+void expect_transformer_refusal(const Change& change, const std::string& part) {
   const auto policy = small_transformer();
   auto draft = SafetensorsDraft::of(transformer_policy_bytes(policy));
   parse_transformer_policy(draft.bytes(), "unchanged");
@@ -146,13 +147,14 @@ TEST(TransformerPolicyRefusal, OfMetadataThatAreMissing) {
   const auto draft = SafetensorsDraft::of(transformer_policy_bytes(small_transformer()));
   for (const auto& [key, text] : draft.metadata) {
     if (key == "made by") continue;
-    expect_refusal([&](SafetensorsDraft& d) { d.metadata.erase(key); }, fmt::format("metadata lacks '{}'", key));
+    expect_transformer_refusal([&, key = key](SafetensorsDraft& d) { d.metadata.erase(key); },
+                               fmt::format("metadata lacks '{}'", key));
   }
 }
 
 TEST(TransformerPolicyRefusal, OfOtherMetadata) {
   const auto refused = [](const char* key, const char* value, const std::string& part) {
-    expect_refusal([&](SafetensorsDraft& d) { d.metadata[key] = value; }, part);
+    expect_transformer_refusal([&](SafetensorsDraft& d) { d.metadata[key] = value; }, part);
   };
   const auto wrong = [&](const char* key, const char* value, const std::string& expected) {
     refused(key, value, fmt::format("metadata '{}' is '{}': expected {}", key, value, expected));
@@ -206,28 +208,30 @@ TEST(TransformerPolicyRefusal, OfAnotherStream) {
 
 TEST(TransformerPolicyRefusal, OfTensorsThatDoNotFit) {
   for (const char* name : {"embed_timestep.weight", "h.1.mlp.c_proj.bias", "predict_curact.2.weight", "ln_f.bias"})
-    expect_refusal([&](SafetensorsDraft& d) { d.tensors.erase(name); }, fmt::format("lacks tensor '{}'", name));
-  expect_refusal(
+    expect_transformer_refusal([&](SafetensorsDraft& d) { d.tensors.erase(name); },
+                               fmt::format("lacks tensor '{}'", name));
+  expect_transformer_refusal(
       [](SafetensorsDraft& d) {
         d.put("wte.weight", {1, 16});
       },
       "tensor 'wte.weight' is not of its architecture");
-  expect_refusal(
+  expect_transformer_refusal(
       [](SafetensorsDraft& d) {
         d.put("embed_return.weight", {1, 16});
       },
       "tensor 'embed_return.weight' has shape [1, 16], but the architecture asks for [16, 1]");
-  expect_refusal([](SafetensorsDraft& d) { d.put("h.0.ln_1.bias", {15}); },
-                 "tensor 'h.0.ln_1.bias' has shape [15], but the architecture asks for [16]");
-  expect_refusal([](SafetensorsDraft& d) { d.tensors.at("ln_f.bias").dtype = "F16"; },
-                 "tensor 'ln_f.bias' has dtype F16; store it as F32");
-  expect_refusal([](SafetensorsDraft& d) { d.tensors.at("ln_f.bias").data.resize(60); },
-                 "tensor 'ln_f.bias' has 60 bytes, but its shape asks for 64");
-  expect_refusal([](SafetensorsDraft& d) { d.metadata["layers"] = "3"; }, "lacks tensor 'h.2.ln_1.weight'");
-  expect_refusal([](SafetensorsDraft& d) { d.metadata["hidden"] = "32"; }, "tensor 'embed_timestep.weight' has shape");
+  expect_transformer_refusal([](SafetensorsDraft& d) { d.put("h.0.ln_1.bias", {15}); },
+                             "tensor 'h.0.ln_1.bias' has shape [15], but the architecture asks for [16]");
+  expect_transformer_refusal([](SafetensorsDraft& d) { d.tensors.at("ln_f.bias").dtype = "F16"; },
+                             "tensor 'ln_f.bias' has dtype F16; store it as F32");
+  expect_transformer_refusal([](SafetensorsDraft& d) { d.tensors.at("ln_f.bias").data.resize(60); },
+                             "tensor 'ln_f.bias' has 60 bytes, but its shape asks for 64");
+  expect_transformer_refusal([](SafetensorsDraft& d) { d.metadata["layers"] = "3"; }, "lacks tensor 'h.2.ln_1.weight'");
+  expect_transformer_refusal([](SafetensorsDraft& d) { d.metadata["hidden"] = "32"; },
+                             "tensor 'embed_timestep.weight' has shape");
   for (const float bad : {std::numeric_limits<float>::quiet_NaN(), -std::numeric_limits<float>::infinity()})
-    expect_refusal([&](SafetensorsDraft& d) { d.set_number("h.1.attn.c_attn.weight", 50, bad); },
-                   fmt::format("tensor 'h.1.attn.c_attn.weight' holds {} at [1, 2]", bad));
+    expect_transformer_refusal([&](SafetensorsDraft& d) { d.set_number("h.1.attn.c_attn.weight", 50, bad); },
+                               fmt::format("tensor 'h.1.attn.c_attn.weight' holds {} at [1, 2]", bad));
 }
 
 TEST(TransformerPolicyRefusal, OfContentsThatWereChanged) {

@@ -76,15 +76,15 @@ Matrix<float> one_row(const std::array<float, 2>& numbers) {
 }
 
 /// What a policy thought in a recorded episode, step by step.
-struct Thoughts {
+struct HeldThoughts {
   std::vector<Matrix<float>> beliefs;
   std::vector<Matrix<float>> actions;           // on these
   std::vector<Matrix<float>> actions_on_truth;  // on what the prey did
 };
 
-Thoughts think(const TransformerMind& mind, const DataSet& data, std::size_t episode) {
+HeldThoughts think(const TransformerMind& mind, const DataSet& data, std::size_t episode) {
   TransformerThinker thinker(mind, 1, return_of(data, episode));
-  Thoughts thoughts;
+  HeldThoughts thoughts;
   for (std::size_t t = 0; t < data.episode_steps(); ++t) {
     const Sight sight(data, episode, t);
     const std::array glimpses{sight.glimpse()};
@@ -116,7 +116,7 @@ void expect_last_row(const Matrix<float>& training, const Matrix<float>& thought
 
 /// `rounds` rounds of a drawn window that begins at step `first`: what was thought in the last of them.
 void expect_thoughts(const TransformerMind& mind, const sct::Batch<float>& batch, std::size_t first, std::size_t rounds,
-                     const Thoughts& thoughts) {
+                     const HeldThoughts& thoughts) {
   const std::size_t step = first + rounds - 1;
   const auto mode = mind.policy.mode;
   const auto plain = mode == sct::LossMode::action_only ? mode : sct::LossMode::teacher;

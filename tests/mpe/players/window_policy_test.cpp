@@ -66,9 +66,9 @@ std::vector<double> network_output(const WindowPolicy& policy, std::vector<doubl
 }
 
 /// Holds what the predators of some episodes do at each step against the network applied to all that they saw so far.
-class Examiner final : public Watcher {
+class WindowExaminer final : public Watcher {
 public:
-  explicit Examiner(const WindowPolicy& policy)
+  explicit WindowExaminer(const WindowPolicy& policy)
       : policy_(policy) {}
 
   void acted(const Layout& layout, const Block& block, const Moment& moment) override {
@@ -112,7 +112,7 @@ TEST(WindowPolicy, ActsOnTheLastStepsOfItsEpisodeAndZerosBefore) {
       const auto policy = some_policy(name, context);
       const Cast cast{window_controller("window", policy, layout.scenario()), random_player()};
       play_episodes(layout, cast, {.seed = 4, .first = 30, .episodes = 3},
-                    [&](std::size_t) { return std::make_unique<Examiner>(policy); });
+                    [&](std::size_t) { return std::make_unique<WindowExaminer>(policy); });
     }
 }
 
@@ -191,7 +191,7 @@ TEST(WindowPolicyFile, IsAsItsHeaderDescribesIt) {
 }
 
 /// What is said of a file after a change.
-void expect_refusal(const std::function<void(SafetensorsDraft&)>& change, const std::string& part) {
+void expect_window_refusal(const std::function<void(SafetensorsDraft&)>& change, const std::string& part) {
   auto draft = SafetensorsDraft::of(window_policy_bytes(some_policy("simple_tag", 3, {4})));
   parse_window_policy(draft.bytes(), "unchanged");
   change(draft);
@@ -208,53 +208,57 @@ TEST(WindowPolicyRefusal, OfWhatIsNoSuchFile) {
 
 TEST(WindowPolicyRefusal, OfOtherMetadata) {
   for (const char* key : {"format", "scenario", "context"})
-    expect_refusal([&](SafetensorsDraft& d) { d.metadata.erase(key); }, fmt::format("metadata '{}' is missing", key));
-  expect_refusal([](SafetensorsDraft& d) { d.metadata["format"] = "folk-mpe-1"; },
-                 "format 'folk-mpe-1': expected folk-mpe-window-1");
-  expect_refusal([](SafetensorsDraft& d) { d.metadata["scenario"] = "chess"; }, "");
+    expect_window_refusal([&](SafetensorsDraft& d) { d.metadata.erase(key); },
+                          fmt::format("metadata '{}' is missing", key));
+  expect_window_refusal([](SafetensorsDraft& d) { d.metadata["format"] = "folk-mpe-1"; },
+                        "format 'folk-mpe-1': expected folk-mpe-window-1");
+  expect_window_refusal([](SafetensorsDraft& d) { d.metadata["scenario"] = "chess"; }, "");
   for (const char* context : {"", "0", "-3", "+3", " 3", "3 ", "3.0", "0x3", "99999999999999999999999"})
-    expect_refusal([&](SafetensorsDraft& d) { d.metadata["context"] = context; },
-                   fmt::format("context '{}': expected a whole number of steps, at least 1", context));
+    expect_window_refusal([&](SafetensorsDraft& d) { d.metadata["context"] = context; },
+                          fmt::format("context '{}': expected a whole number of steps, at least 1", context));
 }
 
 TEST(WindowPolicyRefusal, OfTensorsThatAreMissingOrTooMany) {
   for (const char* name : {"scale.mean", "scale.deviation", "fc1.weight", "fc1.bias", "fc2.bias"})
-    expect_refusal([&](SafetensorsDraft& d) { d.tensors.erase(name); }, fmt::format("tensor '{}' is missing", name));
+    expect_window_refusal([&](SafetensorsDraft& d) { d.tensors.erase(name); },
+                          fmt::format("tensor '{}' is missing", name));
   for (const char* name : {"extra", "agent0.fc1.weight", "fc4.bias"})
-    expect_refusal([&](SafetensorsDraft& d) { d.put(name, {1}); },
-                   fmt::format("tensor '{}' has no place in a policy", name));
+    expect_window_refusal([&](SafetensorsDraft& d) { d.put(name, {1}); },
+                          fmt::format("tensor '{}' has no place in a policy", name));
 }
 
 TEST(WindowPolicyRefusal, OfOtherShapes) {
-  expect_refusal([](SafetensorsDraft& d) { d.metadata["context"] = "2"; },
-                 "a network of 144 inputs: expected 2 steps of the 48 numbers that simple_tag's predators observe");
-  expect_refusal([](SafetensorsDraft& d) { d.metadata["scenario"] = "simple_world"; },
-                 "a network of 144 inputs: expected 3 steps of the 72 numbers");
-  expect_refusal(
+  expect_window_refusal(
+      [](SafetensorsDraft& d) { d.metadata["context"] = "2"; },
+      "a network of 144 inputs: expected 2 steps of the 48 numbers that simple_tag's predators observe");
+  expect_window_refusal([](SafetensorsDraft& d) { d.metadata["scenario"] = "simple_world"; },
+                        "a network of 144 inputs: expected 3 steps of the 72 numbers");
+  expect_window_refusal(
       [](SafetensorsDraft& d) {
         d.put("fc1.weight", {4, 145});
       },
       "a network of 145 inputs: expected 3 steps");
-  expect_refusal(
+  expect_window_refusal(
       [](SafetensorsDraft& d) {
         d.put("fc2.weight", {2, 4}), d.put("fc2.bias", {2});
       },
       "a network of 2 outputs: expected 6, two a predator");
-  expect_refusal([](SafetensorsDraft& d) { d.put("fc1.bias", {5}); }, "tensor 'fc1.bias' has shape (5): expected (4)");
+  expect_window_refusal([](SafetensorsDraft& d) { d.put("fc1.bias", {5}); },
+                        "tensor 'fc1.bias' has shape (5): expected (4)");
   for (const char* name : {"scale.mean", "scale.deviation"})
     for (const std::uint64_t size : {1, 2, 4})
-      expect_refusal([&](SafetensorsDraft& d) { d.put(name, {size}); },
-                     fmt::format("tensor '{}' has shape ({}): expected (3)", name, size));
+      expect_window_refusal([&](SafetensorsDraft& d) { d.put(name, {size}); },
+                            fmt::format("tensor '{}' has shape ({}): expected (3)", name, size));
 }
 
 TEST(WindowPolicyRefusal, OfNumbersThatMakeNoSense) {
   for (const char* name : {"scale.mean", "scale.deviation", "fc1.weight", "fc2.bias"})
     for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()})
-      expect_refusal([&](SafetensorsDraft& d) { d.set_number(name, 1, bad); },
-                     fmt::format("tensor '{}' holds a number that is not finite", name));
+      expect_window_refusal([&](SafetensorsDraft& d) { d.set_number(name, 1, bad); },
+                            fmt::format("tensor '{}' holds a number that is not finite", name));
   for (const float bad : {0.0F, -1.0F})
-    expect_refusal([&](SafetensorsDraft& d) { d.set_number("scale.deviation", 2, bad); },
-                   "tensor 'scale.deviation' holds a number that is not above 0");
+    expect_window_refusal([&](SafetensorsDraft& d) { d.set_number("scale.deviation", 2, bad); },
+                          "tensor 'scale.deviation' holds a number that is not above 0");
 }
 
 TEST(WindowPolicyRefusal, OfWritingWhatCouldNotBeRead) {

@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "games/has.h"
 #include "mpe/study/made_up_tables.h"
 
 namespace folk::mpe {
 namespace {
 
+using folk::test::has;
 using test::made_up_second_tables;
 using test::made_up_tables;
 
@@ -19,8 +21,6 @@ std::size_t count_of(const std::string& text, const std::string& part) {
   for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;
   return count;
 }
-
-bool has(const std::string& text, const std::string& part) { return count_of(text, part) > 0; }
 
 TEST(StudyLatex, NoByteOfATextIsACommand) {
   EXPECT_EQ(latex_text("a_b & 5% #1 $x$ {y} \\z ~ ^"),

@@ -9,16 +9,16 @@
 #include <vector>
 
 #include "games/expect_error.h"
+#include "games/has.h"
 #include "mpe/study/made_up_tables.h"
 
 namespace folk::mpe {
 namespace {
 
 using folk::test::expect_error;
+using folk::test::has;
 using test::made_up_second_tables;
 using test::made_up_tables;
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 std::string script(const StudyTables& tables, const std::string& name) {
   for (const auto& picture : study_pictures(tables))

@@ -15,7 +15,7 @@
 namespace folk::sct {
 namespace {
 
-const std::vector<Strategy>& roster() {
+const std::vector<Strategy>& believed_roster() {
   static const auto strategies = Registry::standard().roster("all_c,all_d,tit_for_tat,per_ccd");
   return strategies;
 }
@@ -24,7 +24,7 @@ std::vector<BeliefRecord> records(const Strategy& policy, unsigned threads) {
   Sampling sampling;
   sampling.criterion = Criterion::finite(14);
   sampling.threads = threads;
-  return record_beliefs(policy, roster(), sampling);
+  return record_beliefs(policy, believed_roster(), sampling);
 }
 
 std::vector<BeliefMatch> paths(const Strategy& policy) {
@@ -102,12 +102,12 @@ TEST(OwnBeliefs, AnAutomatonMadeOnTwoThreadsPlaysAsThePolicy) {
   options.depth = 5;
   options.state_prices = {0, 4};
   options.threads = 2;
-  const auto found = extract_machines(policy, roster(), records(policy, 2), options);
+  const auto found = extract_machines(policy, believed_roster(), records(policy, 2), options);
   EXPECT_EQ(found[0].wrong, 0U);
   EXPECT_EQ(found[0].matches.played(), 1);
   EXPECT_LE(found[1].machine.size(), found[0].machine.size());
   options.threads = 1;
-  EXPECT_EQ(found[1].machine, extract_machines(policy, roster(), records(policy, 1), options)[1].machine);
+  EXPECT_EQ(found[1].machine, extract_machines(policy, believed_roster(), records(policy, 1), options)[1].machine);
 }
 
 TEST(OwnBeliefs, TheAutomatonOfSctPlaysItsMatchesAsItDoes) {

@@ -34,8 +34,8 @@ TrainingSettings small_settings(unsigned threads = 1) {
   return settings;
 }
 
-TrainingRun small_run(std::uint64_t steps = 10, unsigned threads = 1, std::string description = "seed = 1\n",
-                      std::uint64_t aggregate_every = 0) {
+TrainingRun run_of(std::uint64_t steps = 10, unsigned threads = 1, std::string description = "seed = 1\n",
+                   std::uint64_t aggregate_every = 0) {
   const auto roster = Registry::standard().roster("tit_for_tat,all_d,pavlov");
   std::vector<Lesson> lessons;
   for (const auto& trajectory : tournament_data(roster, {}, rounds)) lessons.push_back(imitation(trajectory));
@@ -67,13 +67,13 @@ void go_on(TrainingRun& run, std::uint64_t to) {
 }
 
 std::string whole_run() {
-  auto run = small_run();
+  auto run = run_of();
   go_on(run, 10);
   return policy_bytes(run.policy());
 }
 
 TEST(TrainingRun, EvaluatesAtMultiplesAndAtTheEnd) {
-  auto run = small_run();
+  auto run = run_of();
   go_on(run, 10);
   ASSERT_EQ(run.history().size(), 3U);
   EXPECT_EQ(run.history()[0].steps, 4U);
@@ -86,14 +86,14 @@ TEST(TrainingRun, EvaluatesAtMultiplesAndAtTheEnd) {
 }
 
 TEST(TrainingRun, ThePolicyIsTheKeptOne) {
-  auto run = small_run();
+  auto run = run_of();
   go_on(run, 10);
   const auto policy = run.policy();
   const auto& kept = run.history()[run.kept()];
   EXPECT_EQ(policy.training.steps, kept.steps);
   EXPECT_EQ(policy.training.return_target, best_target(kept).target);
   EXPECT_EQ(policy.training.final_belief_loss, kept.belief_loss);
-  auto again = small_run();
+  auto again = run_of();
   go_on(again, kept.steps);
   EXPECT_EQ(policy.parameters, again.policy().parameters);
 }
@@ -101,10 +101,10 @@ TEST(TrainingRun, ThePolicyIsTheKeptOne) {
 TEST(TrainingRun, GoesOnFromAnyStepAsIfItHadNeverStopped) {
   const auto whole = whole_run();
   for (std::uint64_t stop = 0; stop <= 10; ++stop) {
-    auto first = small_run();
+    auto first = run_of();
     go_on(first, stop);
     const auto saved = checkpoint_bytes(first.checkpoint());
-    auto second = small_run();
+    auto second = run_of();
     second.restore(parse_checkpoint(saved, "saved"));
     go_on(second, 10);
     EXPECT_EQ(policy_bytes(second.policy()), whole) << stop;
@@ -112,7 +112,7 @@ TEST(TrainingRun, GoesOnFromAnyStepAsIfItHadNeverStopped) {
 }
 
 TEST(TrainingRun, GoesOnWithWhatItsTeacherHasLabelled) {
-  const auto begin = [](unsigned threads) { return small_run(10, threads, "seed = 1\n", 3); };
+  const auto begin = [](unsigned threads) { return run_of(10, threads, "seed = 1\n", 3); };
   auto whole = begin(1);
   go_on(whole, 10);
   EXPECT_EQ(whole.added(), 27U);  // at steps 3, 6 and 9, against each of 3 once without slips and twice with
@@ -151,16 +151,16 @@ TEST(TrainingRun, EachAggregationDrawsItsOwnSlips) {
 }
 
 TEST(TrainingRun, ThreadsChangeNothing) {
-  auto first = small_run(10, 2);
+  auto first = run_of(10, 2);
   go_on(first, 5);
-  auto second = small_run(10, 3);
+  auto second = run_of(10, 3);
   second.restore(first.checkpoint());
   go_on(second, 10);
   EXPECT_EQ(policy_bytes(second.policy()), whole_run());
 }
 
 TEST(TrainingRun, AnEvaluationThatIsStoppedHasNotBeen) {
-  auto run = small_run();
+  auto run = run_of();
   for (int i = 0; i < 4; ++i) run.step();
   const auto before = checkpoint_bytes(run.checkpoint());
   int asked = 0;
@@ -176,7 +176,7 @@ TEST(TrainingRunThreads, EndTheirEvaluationsAsTheirProgressWishes) {
   const auto whole = whole_run();
   for (const unsigned threads : {1U, 4U})
     test::expect_ends([&](const Progress& progress) {
-      auto run = small_run(10, threads);
+      auto run = run_of(10, threads);
       for (int i = 0; i < 4; ++i) run.step();
       const auto before = checkpoint_bytes(run.checkpoint());
       try {
@@ -184,7 +184,7 @@ TEST(TrainingRunThreads, EndTheirEvaluationsAsTheirProgressWishes) {
       } catch (...) {
         EXPECT_TRUE(run.evaluation_due());
         EXPECT_EQ(checkpoint_bytes(run.checkpoint()), before);
-        auto other = small_run(10, threads);
+        auto other = run_of(10, threads);
         other.restore(parse_checkpoint(before, "saved"));
         for (auto* goes_on : {&run, &other}) {
           ASSERT_TRUE(goes_on->evaluation_due());
@@ -199,12 +199,12 @@ TEST(TrainingRunThreads, EndTheirEvaluationsAsTheirProgressWishes) {
 }
 
 TEST(TrainingRun, RefusesTheCheckpointsOfOtherRuns) {
-  auto run = small_run();
+  auto run = run_of();
   go_on(run, 5);
   const auto checkpoint = run.checkpoint();
-  auto other = small_run(10, 1, "seed = 2\n");
+  auto other = run_of(10, 1, "seed = 2\n");
   expect_error<UsageError>([&] { other.restore(checkpoint); }, "seed = 1 there, 2 here");
-  auto shorter = small_run(4);
+  auto shorter = run_of(4);
   expect_error<UsageError>([&] { shorter.restore(checkpoint); }, "at step 5, beyond the last, 4");
   auto foreign = checkpoint;
   foreign.training.parameters.pop_back();

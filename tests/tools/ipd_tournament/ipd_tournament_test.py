@@ -129,10 +129,12 @@ class SameBytes(unittest.TestCase):
         self.same()
         self.same("--strategies", "memory(1,1)", "--criterion", "discounted:0.9", "--no-self-play")
 
+    @unittest.skipIf("FOLK_SANITIZED" in os.environ, "half a minute here; the library has tests of threads")
     def test_markov(self):
         self.same("--strategies", "tit_for_tat,pavlov,gtft(0.3),random(0.5),all_d", "--noise", "0.01")
         self.same("--noise", "0.05")
 
+    @unittest.skipIf("FOLK_SANITIZED" in os.environ, "half a minute here; the library has tests of threads")
     def test_sampled(self):
         self.same(*SAMPLED)
         self.same("--include", "gradual_soft", "--criterion", "discounted:0.9", "--noise", "0.01", "--repetitions", "5")

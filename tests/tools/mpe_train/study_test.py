@@ -253,6 +253,7 @@ class Whole(Study):
         self.assertEqual([entry.name for entry in root.iterdir()], ["records"])
 
 
+@unittest.skipIf(SLOW, "jobs of the study take minutes here")
 class Interrupted(Study):
     def start(self, root, *more):
         # Nicer than this test, which is to see what it does.
