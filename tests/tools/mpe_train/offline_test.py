@@ -22,6 +22,7 @@ BIN = Path(os.environ["FOLK_BIN"])
 LEARNERS = ("bc", "ma-bcq", "omar", "cql", "madt", "rmadt", "sct")
 BELIEVERS = ("rmadt", "sct")
 STEPS = 40
+BC_STEPS = 800 if "FOLK_SANITIZED" in os.environ else 8000  # a second or more
 SMALL = ("--budget", "smoke", "--batch", "16", "--quiet")
 SHARED = None
 
@@ -38,9 +39,6 @@ def setUpModule():
     for learner in LEARNERS:
         subprocess.run([BIN / "mpe-train", "offline", *SMALL, "--steps", str(STEPS), "--learner", learner, "--data", SHARED / "tag",
                         "--threads", "1", "--output", SHARED / f"{learner}.safetensors"], check=True, stdout=subprocess.DEVNULL)
-
-
-BC_STEPS = 800 if "FOLK_SANITIZED" in os.environ else 8000  # a second or more
 
 
 class Offline(unittest.TestCase):
