@@ -22,6 +22,10 @@ function(folk_compile_options target)
   if(FOLK_FOLDERS_AS_ONE)
     target_compile_options(${target} PRIVATE -Wno-shadow)  # of what another source of the folder calls so
   endif()
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # GCC tidies its memory only from 1 GB on: a large source takes an eighth less time.
+    target_compile_options(${target} PRIVATE "SHELL:--param ggc-min-heapsize=1048576" "SHELL:--param ggc-min-expand=100")
+  endif()
   if(FOLK_WERROR)
     target_compile_options(${target} PRIVATE -Werror)
   endif()

@@ -1,3 +1,4 @@
+#include "analysis/play/cases.h"
 #include "analysis/play/naive.h"
 #include "analysis/replies/value_iteration.h"
 
@@ -36,7 +37,7 @@ double paid_naively(const Automaton& own, const Automaton& theirs, const Criteri
 TEST(NashGap, Of10000RandomPairsEqualsValueIterationAndEnumeration) {
   RandomStream random({31, 0, 0, 0});
   constexpr std::array criteria{"discounted:0.2", "discounted:0.5", "discounted:0.8", "discounted:1/3", "ending:0.5"};
-  for (int i = 0; i < 10'000; ++i) {
+  for (int i = 0; i < test::cases(10'000); ++i) {
     const Automaton own = test::random_automaton(random, 8, true);
     const Automaton theirs = test::random_automaton(random, 8, true);
     const auto criterion = Criterion::parse(criteria[random() % criteria.size()]);

@@ -1,3 +1,4 @@
+#include "analysis/play/cases.h"
 #include "analysis/play/naive.h"
 #include "analysis/replies/value_iteration.h"
 
@@ -47,7 +48,7 @@ TEST(UnrestrictedGap, IsTheBestReplyWhenMinmaxLiesOffThePathIn10000RandomPairs) 
   constexpr std::array criteria{"finite:1",       "finite:13",  "discounted:0.3", "discounted:0.6",
                                 "discounted:0.9", "ending:0.2", "ending:1",       "mean"};
   int none = 0;
-  for (int i = 0; i < 10'000; ++i) {
+  for (int i = 0; i < test::cases(10'000); ++i) {
     const Automaton own = test::random_automaton(random, 8, true);
     const Automaton theirs = test::random_automaton(random, 8, true);
     const auto criterion = Criterion::parse(criteria[random() % criteria.size()]);

@@ -1,3 +1,4 @@
+#include "analysis/play/cases.h"
 #include "analysis/play/naive.h"
 #include "analysis/replies/value_iteration.h"
 
@@ -75,7 +76,7 @@ TEST(SubgamePerfectGap, HoldsTheOneShotDeviationPrincipleBothWaysIn10000RandomPa
   RandomStream random({41, 0, 0, 0});
   constexpr std::array criteria{"discounted:0.2", "discounted:0.5", "discounted:0.7", "ending:0.5"};
   int perfect = 0;
-  for (int i = 0; i < 10'000; ++i) {
+  for (int i = 0; i < test::cases(10'000); ++i) {
     const std::uint32_t most = random() % 4 == 0 ? 8 : 2;
     const Automaton a = *tabulate(test::random_automaton(random, most, true), Sense::any_own_moves);
     const Automaton b = *tabulate(test::random_automaton(random, most, true), Sense::any_own_moves);

@@ -1,3 +1,4 @@
+#include "analysis/play/cases.h"
 #include "analysis/play/naive.h"
 #include "games/ended_work.h"
 #include "games/expect_error.h"
@@ -355,7 +356,7 @@ std::size_t check_ends(const Case& pair, const Threshold& threshold) {
 TEST(Thresholds, TenThousandPairsAreNestedAndAgreeWithScans) {
   RandomStream random({20261122, 3, 0, 0});
   std::size_t ends = 0;
-  for (std::uint64_t i = 0; i < 10'000 && !HasFailure(); ++i) {
+  for (std::uint64_t i = 0; i < test::cases<std::uint64_t>(10'000) && !HasFailure(); ++i) {
     const Case pair = random_case(random, i % 2 == 0 ? 8 : 3);
     const Thresholds found = thresholds(pair.first, pair.second, pair.payoffs);
     EXPECT_TRUE(is_subset(*found.subgame_perfect, *found.nash));
@@ -368,7 +369,7 @@ TEST(Thresholds, TenThousandPairsAreNestedAndAgreeWithScans) {
                                << write_machine("first", pair.first) << write_machine("second", pair.second)
                                << to_text(pair.payoffs) << ": " << texts(found);
   }
-  EXPECT_GT(ends, 4'000U);  // the cases are not all "always" and "never"
+  EXPECT_GT(ends, test::cases<std::size_t>(4'000));  // the cases are not all "always" and "never"
 }
 
 bool same(const Thresholds& one, const Thresholds& two) {
