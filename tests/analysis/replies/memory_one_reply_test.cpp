@@ -1,5 +1,6 @@
 // The best memory-one reply found: against published figures, exact best replies and grids.
 
+#include "analysis/play/cases.h"
 #include "analysis/play/naive.h"
 #include "games/ended_work.h"
 #include "games/expect_error.h"
@@ -185,8 +186,8 @@ TEST(MemoryOneReply, WeighsItsOpponents) {
 
 TEST(MemoryOneReply, IsTheSameOnAnyNumberOfThreads) {
   const auto population = of({{0.9, 0.1, 0.6, 0.2}, {0.3, 0.8, 0.1, 0.7}}, Criterion::discounted(0.95));
-  const auto one = memory_one_reply(population, {300, 1});
-  const auto four = memory_one_reply(population, {300, 4});
+  const auto one = memory_one_reply(population, {test::cases<std::size_t>(300), 1});
+  const auto four = memory_one_reply(population, {test::cases<std::size_t>(300), 4});
   EXPECT_EQ(one.strategy.after, four.strategy.after);
   EXPECT_EQ(one.payoff, four.payoff);
   EXPECT_EQ(one.certificate.points, four.certificate.points);

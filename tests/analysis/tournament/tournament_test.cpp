@@ -14,6 +14,7 @@
 #include <map>
 #include <string>
 
+#include "analysis/play/cases.h"
 #include "games/ended_work.h"
 
 namespace folk {
@@ -306,7 +307,7 @@ TEST(Tournament, RefusesWhatMakesNoSense) {
 }
 
 TEST(TournamentThreads, GiveTheSameResultsForAnyNumber) {
-  auto settings = over(60);
+  auto settings = over(test::cases<std::uint64_t>(60));
   settings.noise = 0.01;
   settings.repetitions = 5;
   const std::string roster = "classics,random(0.3),gtft(0.2)";
