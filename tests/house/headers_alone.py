@@ -68,10 +68,12 @@ def included(names, graph):
 
 
 def compiled(text, command, *more):
-    """What the compiler says of a text and its first error, if any."""
-    done = subprocess.run([*command, "-x", "c++", *more, "-"], input=text, capture_output=True, text=True)
+    return subprocess.run([*command, "-x", "c++", *more, "-"], input=text, capture_output=True, text=True)
+
+
+def first_error(done):
     errors = [line for line in done.stderr.splitlines() if "error" in line]
-    return done.stdout, None if done.returncode == 0 else (errors or done.stderr.splitlines() or ["?"])[0]
+    return None if done.returncode == 0 else (errors or done.stderr.splitlines() or ["?"])[0]
 
 
 def main():
@@ -82,7 +84,7 @@ def main():
     graph = include_graph(root)
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(os.cpu_count()) as pool:
         others = sorted(set().union(*graph.values()) - graph.keys())
-        read = pool.map(lambda name: len(compiled(included([name], graph), command, "-E")[0]), others)
+        read = pool.map(lambda name: len(compiled(included([name], graph), command, "-E").stdout), others)
         weight = dict(zip(others, read)) | {header: (root / header).stat().st_size for header in graph}
         start = shared_starts(graph, weight)
         files = {names: f"{folder}/{i}.h" for i, names in enumerate(set(start.values()) - {frozenset()})}
@@ -93,7 +95,7 @@ def main():
 
         def complaint(header):
             begin = ["-include", files[start[header]]] if start[header] else []
-            return compiled(included([header], graph), command, *begin, "-fsyntax-only")[1]
+            return first_error(compiled(included([header], graph), command, *begin, "-fsyntax-only"))
 
         list(pool.map(precompile, files))
         wrong = [f"{header}: {what}" for header, what in zip(graph, pool.map(complaint, graph)) if what]
