@@ -89,12 +89,17 @@ if(FOLK_HAS_LLD AND PROJECT_IS_TOP_LEVEL)
   add_link_options(-fuse-ld=lld)
 endif()
 
+set(FOLK_LEFT_OUT "" CACHE STRING "Regular expression: sources of the libraries that this build has no use for")
+
 # folk_library(games DEPENDS fmt::fmt): the library of this folder, folk::games, from all its sources, those in
 # its rooms too. NOTHING_FUSED: no product is fused with a sum, so that its numbers are the same on every processor.
 function(folk_library name)
   cmake_parse_arguments(ARG "NOTHING_FUSED" "" "DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
+  if(FOLK_LEFT_OUT)
+    list(FILTER sources EXCLUDE REGEX "${FOLK_LEFT_OUT}")
+  endif()
   add_library(folk_${name} ${sources} ${headers})
   add_library(folk::${name} ALIAS folk_${name})
   set_target_properties(folk_${name} PROPERTIES EXPORT_NAME ${name})

@@ -1,6 +1,6 @@
-#include "analysis/play/cases.h"
 #include "analysis/play/naive.h"
 #include "analysis/replies/value_iteration.h"
+#include "cases.h"
 
 #include <folk/analysis/equilibria/subgame_perfect_gap.h>
 #include <folk/games/error.h>

@@ -1,7 +1,7 @@
 // The best memory-one reply found: against published figures, exact best replies and grids.
 
-#include "analysis/play/cases.h"
 #include "analysis/play/naive.h"
+#include "cases.h"
 #include "games/ended_work.h"
 #include "games/expect_error.h"
 

@@ -1,5 +1,5 @@
-#include "analysis/play/cases.h"
 #include "analysis/play/naive.h"
+#include "cases.h"
 #include "games/ended_work.h"
 #include "games/expect_error.h"
 

@@ -1,5 +1,6 @@
 // The tournament against the tables of other programs, and against itself.
 
+#include "cases.h"
 #include "csv.h"
 
 #include <folk/analysis/play/sampled_play.h>
@@ -14,7 +15,6 @@
 #include <map>
 #include <string>
 
-#include "analysis/play/cases.h"
 #include "games/ended_work.h"
 
 namespace folk {

@@ -55,11 +55,10 @@ private:
     players_[agent]->act(layout_, block, agent, moment);
     EXPECT_EQ(all_but_actions_of(block, agent), before) << "agent " << agent << " wrote what is not its own";
     if (side_of(layout_, agent) != side_) return;
-    for (std::size_t lane = 0; lane < block.lanes; ++lane) {
-      EXPECT_LE(std::abs(x[lane]), 1) << "agent " << agent << ", step " << moment.step;  // NaN is no answer either
-      EXPECT_LE(std::abs(y[lane]), 1) << "agent " << agent << ", step " << moment.step;
-      deeds[lane].push_back({x[lane], y[lane]});
-    }
+    const auto within = [](double number) { return std::abs(number) <= 1; };  // NaN is no answer either
+    EXPECT_TRUE(std::all_of(x, x + block.lanes, within) && std::all_of(y, y + block.lanes, within))
+        << "agent " << agent << ", step " << moment.step;
+    for (std::size_t lane = 0; lane < block.lanes; ++lane) deeds[lane].push_back({x[lane], y[lane]});
   }
 
   std::vector<double> all_but_actions_of(const Block& block, std::size_t agent) const {

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "cases.h"
 #include "games/expect_error.h"
 
 namespace folk::mpe {
@@ -202,7 +203,7 @@ TEST(StudyRecord, ThatIsCutOrNoTextIsRefused) {
 }
 
 TEST(StudyRecord, ThatIsNestedDeeplyIsRefused) {
-  constexpr std::size_t depth = 200'000;
+  const std::size_t depth = folk::test::cases<std::size_t>(200'000);
   expect_refusal(std::string(depth, '['), "no JSON at its byte ");
   expect_refusal(std::string(depth, '[') + std::string(depth, ']'));
   auto json = full_json();

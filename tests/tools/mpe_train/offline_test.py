@@ -24,6 +24,7 @@ BELIEVERS = ("rmadt", "sct")
 STEPS = 40
 SLOW = "FOLK_SANITIZED" in os.environ
 SCT_STEPS, BC_STEPS = (60, 800) if SLOW else (300, 8000)  # a second or more
+MANY_STEPS = 101 if SLOW else 250
 SMALL = ("--budget", "smoke", "--batch", "16", "--quiet")
 SHARED = None
 
@@ -100,15 +101,15 @@ class Training(Offline):
                 rows = list(csv.reader((SHARED / f"{learner}.csv").read_text().splitlines()))
                 self.assertEqual([row[0] for row in rows], ["steps", *map(str, range(1, STEPS + 1))])
                 self.assertTrue(all(math.isfinite(float(loss)) for row in rows[1:] for loss in row[1:]))
-        table = self.offline(*self.small("omar", "a", "--format", "csv", steps=250))
+        table = self.offline(*self.small("omar", "a", "--format", "csv", steps=MANY_STEPS))
         self.assertEqual((table.returncode, table.stderr), (0, ""))
         self.assertEqual(table.stdout, (self.folder / "a.csv").read_text())
-        self.assertEqual(table.stdout.splitlines()[-1].split(",")[0], "250")
-        report = json.loads(self.offline(*self.small("omar", "a", "--format", "json", steps=250)).stdout)
+        self.assertEqual(table.stdout.splitlines()[-1].split(",")[0], str(MANY_STEPS))
+        report = json.loads(self.offline(*self.small("omar", "a", "--format", "json", steps=MANY_STEPS)).stdout)
         self.assertEqual([list(row.values()) for row in report["losses"]],
                          [[float(field) for field in line.split(",")] for line in table.stdout.splitlines()[1:]])
-        self.assertEqual((report["steps"], report["notes"]["learner"], report["files"]["curve"]), (250, "omar", "a.csv"))
-        text = self.offline(*self.small("omar", "a", steps=250)).stdout
+        self.assertEqual((report["steps"], report["notes"]["learner"], report["files"]["curve"]), (MANY_STEPS, "omar", "a.csv"))
+        text = self.offline(*self.small("omar", "a", steps=MANY_STEPS)).stdout
         self.assertIn("simple_tag, 2500 transitions), seed 1", text)
         self.assertIn("policy in a.safetensors\nlosses in a.csv\n", text)
 

@@ -14,6 +14,7 @@ from pathlib import Path
 PROGRAM = Path(os.environ["FOLK_BIN"]) / "sce-check"
 TREE = Path(__file__).resolve().parents[3]
 VOID = {"meta", "img", "br"}
+ROUNDS = "7" if "FOLK_SANITIZED" in os.environ else "12"
 SHORT = ("--rounds", "6", "--repetitions", "2", "--depth", "1")
 
 
@@ -129,7 +130,7 @@ class Drawn(unittest.TestCase):
         self.assertIn("match 1 of 2", pictures[4])
 
     def test_the_extracted_automaton_is_drawn(self):
-        found = page("sct", "--opponents", "all_c,all_d", "--rounds", "12", "--depth", "1", "--extract")
+        found = page("sct", "--opponents", "all_c,all_d", "--rounds", ROUNDS, "--depth", "1", "--extract")
         self.assertIn("sct_extracted · edges: their move", found.pictures()[-1])
         self.assertIn("What fewer states cost", found.text())
         self.assertIn("machine sct_extracted", found.text())
