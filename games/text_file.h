@@ -20,15 +20,23 @@ std::string read_file(const std::filesystem::path& path, std::size_t largest);
 /// read_file up to largest_text_file.
 std::string read_text_file(const std::filesystem::path& path);
 
-/// Writes to a temporary name beside `path`, waits for the disk and renames it, so that a reader sees the old file or
-/// the whole new one, after a power cut too.
-/// A symbolic link stays one and the file it names is replaced; a device or pipe (/dev/null) is written to directly.
-/// Throws EnvironmentError when the folder does not exist or cannot be written, or the disk is full. What `content`
-/// throws is passed on, and the old file stays.
+/// read_file of what must be an ordinary file: a pipe or a device would be waited for. Throws InputFileError.
+std::string read_ordinary_file(const std::filesystem::path& path, std::size_t largest);
+
+/// Throws EnvironmentError for what can be known before the work: that `path` is no name of a file, too long, a
+/// directory, or in a folder that is missing or may not be written to.
+void require_writable(const std::filesystem::path& path);
+
+/// Writes to a temporary name in the same folder, which nobody can guess or take, waits for the disk and renames it, so
+/// that a reader sees the old file or the whole new one, after a power cut too. Permissions stay.
+/// A symbolic link stays one and the file it names is made or replaced; a device or pipe (/dev/null) is written to
+/// directly. Throws EnvironmentError when the folder does not exist or cannot be written, the disk is full, or a limit
+/// of file sizes is met (whose signal, SIGXFSZ, is the host's to ignore). What `content` throws is passed on, and the
+/// old file stays.
 void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& content);
 void write_file(const std::filesystem::path& path, std::string_view content);
 
-/// Removes what processes that are gone left of their writes to `path`, having been killed in the middle of one.
-void remove_cut_off_writes(const std::filesystem::path& path);
+/// Removes from a folder what writers have left that were killed in the middle of one.
+void remove_cut_off_writes(const std::filesystem::path& folder);
 
 }  // namespace folk

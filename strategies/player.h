@@ -33,6 +33,10 @@ public:
   /// What was really played in this round, after any noise.
   virtual void observe(Move own, Move theirs) = 0;
 
+  /// No more matches follow. Throws EnvironmentError for what shows only now and makes what was played worthless: a
+  /// program that has spoken unasked. A player that is not told so ends quietly.
+  virtual void finish() {}
+
   /// P(the opponent plays C) in the round that `move` was last called for; nothing for a player without beliefs.
   virtual std::optional<double> belief() const { return std::nullopt; }
 

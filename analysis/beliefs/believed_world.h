@@ -56,6 +56,11 @@ public:
   void dismiss();
   void dismiss(std::span<const Node> nodes);
 
+  /// Nothing more will be asked. Throws what Player::finish does.
+  void finish() {
+    if (lone_player_) lone_player_->finish();
+  }
+
   /// How often a player was asked for a move so far.
   std::uint64_t thoughts() const { return thoughts_; }
 

@@ -29,7 +29,10 @@ public:
         depth_(options.depth),
         tree_(tree) {}
 
-  void lay_out() { explore({{BelievedWorld::start, 0}}); }
+  void lay_out() {
+    explore({{BelievedWorld::start, 0}});
+    world_.finish();
+  }
 
 private:
   using Places = std::vector<std::pair<BelievedWorld::Node, std::uint32_t>>;  // the same history in both
@@ -124,6 +127,7 @@ std::uint64_t played(const Automaton& automaton, const Strategy& opponent, const
     player->observe(theirs, own);
     state = automaton.next(state, own, theirs);
   }
+  player->finish();
   return equal;
 }
 

@@ -107,6 +107,8 @@ public:
     }
   }
 
+  void finish() { world_.finish(); }
+
   OwnBeliefGap result(std::size_t path) const {
     const Found& found = found_[path];
     OwnBeliefGap gap;
@@ -296,8 +298,10 @@ std::vector<std::optional<OwnBeliefGap>> own_belief_gaps(const Strategy& player,
   check(paths, search);
   const auto rounds = asked_rounds(search, paths.front().size());
   Search searched(player, paths, search, progress);
-  if (!searched.walk()) return gaps;
-  searched.run(rounds);
+  const bool believes = searched.walk();
+  if (believes) searched.run(rounds);
+  searched.finish();
+  if (!believes) return gaps;
   for (std::size_t i = 0; i < paths.size(); ++i) gaps[i] = searched.result(i);
   return gaps;
 }

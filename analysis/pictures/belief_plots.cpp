@@ -199,15 +199,15 @@ std::string calibration_bins(const CalibrationPlot& plot) {
 
 }  // namespace
 
-std::string belief_path_script(const BeliefPathPlot& plot, PictureFormat format, const fs::path& output) {
+std::string belief_path_script(const BeliefPathPlot& plot, PictureFormat format) {
   if (plot.match.empty()) throw UsageError("a picture of beliefs needs a round");
   const std::size_t rounds = std::min(plot.match.size(), most_drawn_rounds);
   const Layout layout = belief_path_layout(plot);
-  return opening(format, output, layout, plot.title) + belief_path_axes(layout, rounds) +
-         belief_path_layers(belief_lines(plot.match, rounds), rounds) + "set output\n";
+  return opening(format, layout, plot.title) + belief_path_axes(layout, rounds) +
+         belief_path_layers(belief_lines(plot.match, rounds), rounds);
 }
 
-std::string accuracy_script(const AccuracyPlot& plot, PictureFormat format, const fs::path& output) {
+std::string accuracy_script(const AccuracyPlot& plot, PictureFormat format) {
   const std::size_t n = plot.names.size();
   if (n == 0) throw UsageError("a picture of accuracy needs at least one opponent");
   if (n > most_plotted)
@@ -218,10 +218,10 @@ std::string accuracy_script(const AccuracyPlot& plot, PictureFormat format, cons
                                                 static_cast<double>(n) - 0.3);
   axes += name_tics("ytics", plot.names, std::min(text_font, row_height(n) - 1.5), "nomirror");
   axes += "set xtics 20\n" + axis_name(layout, "rounds in which the likelier move was played, %");
-  return opening(format, output, layout, plot.title) + axes + accuracy_bars(plot) + "set output\n";
+  return opening(format, layout, plot.title) + axes + accuracy_bars(plot);
 }
 
-std::string calibration_script(const CalibrationPlot& plot, PictureFormat format, const fs::path& output) {
+std::string calibration_script(const CalibrationPlot& plot, PictureFormat format) {
   const Layout layout = calibration_layout(plot);
   std::string axes = plain_axes() + "set xrange [-0.05:1.05]\nset yrange [-0.05:1.05]\nset xtics 0.2\nset ytics 0.2\n";
   axes +=
@@ -230,22 +230,19 @@ std::string calibration_script(const CalibrationPlot& plot, PictureFormat format
       "set label 'numbers: rounds of each tenth; dotted: perfect calibration' at {},{} center font ',{}' textcolor rgb "
       "'#444444'\n",
       layout.x((layout.left + layout.right) / 2), layout.y(layout.height - 22), note_font);
-  return opening(format, output, layout, plot.title) + axes + calibration_bins(plot) + "set output\n";
+  return opening(format, layout, plot.title) + axes + calibration_bins(plot);
 }
 
 void draw(const BeliefPathPlot& plot, const fs::path& path) {
-  draw_script(path,
-              [&](PictureFormat format, const fs::path& output) { return belief_path_script(plot, format, output); });
+  draw_script(path, [&](PictureFormat format) { return belief_path_script(plot, format); });
 }
 
 void draw(const AccuracyPlot& plot, const fs::path& path) {
-  draw_script(path,
-              [&](PictureFormat format, const fs::path& output) { return accuracy_script(plot, format, output); });
+  draw_script(path, [&](PictureFormat format) { return accuracy_script(plot, format); });
 }
 
 void draw(const CalibrationPlot& plot, const fs::path& path) {
-  draw_script(path,
-              [&](PictureFormat format, const fs::path& output) { return calibration_script(plot, format, output); });
+  draw_script(path, [&](PictureFormat format) { return calibration_script(plot, format); });
 }
 
 }  // namespace folk

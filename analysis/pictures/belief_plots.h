@@ -39,9 +39,9 @@ struct CalibrationPlot {
 /// The whole gnuplot script, data included, that draws into `output` (any path; nothing in a name or a path is
 /// executed). Throws UsageError on a match without rounds, on no names or more than most_plotted (plots.h), on names
 /// and shares of different numbers, on a probability outside [0, 1], and on a path with a control character.
-std::string belief_path_script(const BeliefPathPlot& plot, PictureFormat format, const std::filesystem::path& output);
-std::string accuracy_script(const AccuracyPlot& plot, PictureFormat format, const std::filesystem::path& output);
-std::string calibration_script(const CalibrationPlot& plot, PictureFormat format, const std::filesystem::path& output);
+std::string belief_path_script(const BeliefPathPlot& plot, PictureFormat format);
+std::string accuracy_script(const AccuracyPlot& plot, PictureFormat format);
+std::string calibration_script(const CalibrationPlot& plot, PictureFormat format);
 
 /// Draws to a file whose extension is .svg, .png or .pdf; a failure leaves no half picture.
 /// Throws UsageError as above and on another extension, RendererMissing without gnuplot, EnvironmentError when it fails

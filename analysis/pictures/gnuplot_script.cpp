@@ -1,11 +1,11 @@
 #include <folk/analysis/pictures/gnuplot_script.h>
 #include <folk/games/error.h>
+#include <folk/games/text_file.h>
 #include <folk/games/utf8.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 
 namespace folk::gnuplot {
 namespace {
@@ -65,17 +65,12 @@ std::string terminal(PictureFormat format, double width, double height) {
 constexpr const char* package = "gnuplot-nox";
 
 /// gnuplot ends well on a full disk too: what it wrote must have the end that its format has.
-void require_whole(const fs::path& written, PictureFormat format, const fs::path& path) {
+void require_whole(std::string_view picture, PictureFormat format, const fs::path& path) {
+  constexpr std::size_t longest_tail = 32;
   const std::string_view end = format == PictureFormat::svg   ? "</svg>"
                                : format == PictureFormat::png ? "IEND"
                                                               : "%%EOF";
-  constexpr std::streamoff longest_tail = 32;
-  std::ifstream file(written, std::ios::binary | std::ios::ate);
-  const std::streamoff size = file ? std::streamoff{file.tellg()} : 0;
-  std::string tail(static_cast<std::size_t>(std::clamp<std::streamoff>(size, 0, longest_tail)), ' ');
-  file.seekg(size - static_cast<std::streamoff>(tail.size()));
-  file.read(tail.data(), static_cast<std::streamsize>(tail.size()));
-  if (tail.find(end) == std::string::npos)
+  if (picture.substr(picture.size() - std::min(picture.size(), longest_tail)).find(end) == std::string_view::npos)
     throw EnvironmentError(fmt::format("{}: gnuplot did not write it to its end: is the disk full?", path.string()));
 }
 
@@ -94,16 +89,6 @@ std::string tic_literal(std::string_view text) {
   return text_literal(doubled);
 }
 
-std::string path_literal(const fs::path& path) {
-  // An absolute path is never taken for a pipe (|command) or for somebody's home (~name).
-  const std::string text = fs::absolute(path).string();
-  if (std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }))
-    throw UsageError("a picture's path has a control character: choose another name");
-  std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("''") : std::string(1, c);
-  return out + "'";
-}
-
 double title_width(std::string_view title) { return text_width(characters(title).size(), title_font); }
 
 double widest_name(const std::vector<std::string>& names, double font) {
@@ -118,9 +103,8 @@ std::string Layout::x(double pixels) const { return fmt::format("screen {:.6f}",
 
 std::string Layout::y(double pixels) const { return fmt::format("screen {:.6f}", 1 - pixels / height); }
 
-std::string opening(PictureFormat format, const fs::path& output, const Layout& layout, std::string_view title) {
+std::string opening(PictureFormat format, const Layout& layout, std::string_view title) {
   std::string text = "set encoding utf8\n" + terminal(format, layout.width, layout.height);
-  text += "set output " + path_literal(output) + "\n";
   text += fmt::format("set lmargin at {}\nset rmargin at {}\nset tmargin at {}\nset bmargin at {}\n",
                       layout.x(layout.left), layout.x(layout.right), layout.y(layout.top), layout.y(layout.bottom));
   text += fmt::format("set label {} at {},{} left font ',{}' front\n", text_literal(title), layout.x(14), layout.y(22),
@@ -139,19 +123,19 @@ std::string name_tics(std::string_view axis, const std::vector<std::string>& nam
 PictureFormat picture_format(const fs::path& path) {
   const std::string extension = path.extension().string();
   for (const auto format : {PictureFormat::svg, PictureFormat::png, PictureFormat::pdf})
-    if (extension == "." + to_string(format)) return format;
+    if (extension == fmt::format(".{}", to_string(format))) return format;
   throw UsageError(fmt::format("{}: a plot's file name ends in .svg, .png or .pdf", path.string()));
 }
 
 void require_gnuplot() { run_renderer({"gnuplot", "--version"}, "", package); }
 
-void draw_script(const fs::path& path, const std::function<std::string(PictureFormat, const fs::path&)>& script) {
+void draw_script(const fs::path& path, const std::function<std::string(PictureFormat)>& script) {
   const PictureFormat format = picture_format(path);
-  draw_file(path, [&](const fs::path& temporary) {
-    // -d: whatever a user's own .gnuplot sets, the picture is the same.
-    run_renderer({"gnuplot", "-d", "-"}, script(format, temporary), package);
-    require_whole(temporary, format, path);
-  });
+  require_writable(path);
+  // -d: whatever a user's own .gnuplot sets, the picture is the same.
+  const std::string picture = run_renderer({"gnuplot", "-d", "-"}, script(format), package);
+  require_whole(picture, format, path);
+  write_file(path, picture);
 }
 
 }  // namespace folk::gnuplot

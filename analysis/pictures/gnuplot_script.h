@@ -19,10 +19,6 @@ std::string text_literal(std::string_view text);
 /// The same for the label of a tic, which gnuplot also reads as a format.
 std::string tic_literal(std::string_view text);
 
-/// The same for a file, made absolute, so that it is never taken for a pipe (|command) or somebody's home (~name).
-/// Throws UsageError on a path with a control character.
-std::string path_literal(const std::filesystem::path& path);
-
 /// Sizes of letters in pixels.
 inline constexpr double title_font = 15;
 inline constexpr double text_font = 12;
@@ -49,9 +45,8 @@ struct Layout {
   std::string y(double pixels) const;
 };
 
-/// The first lines of a script: encoding, terminal, output, margins, title.
-std::string opening(PictureFormat format, const std::filesystem::path& output, const Layout& layout,
-                    std::string_view title);
+/// The first lines of a script: encoding, terminal, margins, title.
+std::string opening(PictureFormat format, const Layout& layout, std::string_view title);
 
 /// The names as the labels of an axis ("ytics") at 0, 1, 2...
 std::string name_tics(std::string_view axis, const std::vector<std::string>& names, double font,
@@ -65,7 +60,6 @@ void require_gnuplot();
 
 /// Has gnuplot draw what `script` says to a file; a failure leaves no half picture. Throws UsageError as
 /// picture_format, RendererMissing without gnuplot, EnvironmentError when it fails or the file cannot be written.
-void draw_script(const std::filesystem::path& path,
-                 const std::function<std::string(PictureFormat, const std::filesystem::path& output)>& script);
+void draw_script(const std::filesystem::path& path, const std::function<std::string(PictureFormat)>& script);
 
 }  // namespace folk::gnuplot

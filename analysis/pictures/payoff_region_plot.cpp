@@ -158,7 +158,7 @@ std::string outcome_labels(const PayoffRegionPlot& plot) {
 
 }  // namespace
 
-std::string payoff_region_script(const PayoffRegionPlot& plot, PictureFormat format, const fs::path& output) {
+std::string payoff_region_script(const PayoffRegionPlot& plot, PictureFormat format) {
   if (plot.feasible.empty()) throw UsageError("a payoff region's picture needs a feasible payoff");
   const Layout layout = layout_of(plot);
   DrawnSets drawing;
@@ -172,13 +172,12 @@ std::string payoff_region_script(const PayoffRegionPlot& plot, PictureFormat for
     drawing.add_points("DOTS", distinct_dots(plot), plot.dots_name, "pt 7 ps 0.4 lc rgb '#222222'");
   drawing.add_points("PURE", {plot.pure_minmax}, "pure minmax point", "pt 4 ps 1.3 lw 2 lc rgb '#d95f02'");
   drawing.add_points("MIXED", {plot.mixed_minmax}, "mixed minmax point", "pt 2 ps 1 lw 2 lc rgb '#b2182b'");
-  return opening(format, output, layout, plot.title) + axes(plot, layout, format) + outcome_labels(plot) +
-         drawing.data + fmt::format("plot {}\nset output\n", fmt::join(drawing.layers, ", \\\n     "));
+  return opening(format, layout, plot.title) + axes(plot, layout, format) + outcome_labels(plot) + drawing.data +
+         fmt::format("plot {}\n", fmt::join(drawing.layers, ", \\\n     "));
 }
 
 void draw(const PayoffRegionPlot& plot, const fs::path& path) {
-  draw_script(path,
-              [&](PictureFormat format, const fs::path& output) { return payoff_region_script(plot, format, output); });
+  draw_script(path, [&](PictureFormat format) { return payoff_region_script(plot, format); });
 }
 
 }  // namespace folk

@@ -37,8 +37,7 @@ struct PayoffRegionPlot {
 /// The whole gnuplot script, data included, that draws into `output` (any path; nothing in a name or a path is
 /// executed). Dots that would fall on each other are drawn once.
 /// Throws UsageError on a path with a control character, an empty feasible set, or a number that is not finite.
-std::string payoff_region_script(const PayoffRegionPlot& plot, PictureFormat format,
-                                 const std::filesystem::path& output);
+std::string payoff_region_script(const PayoffRegionPlot& plot, PictureFormat format);
 
 /// Draws to a file whose extension is .svg, .png or .pdf; a failure leaves no half picture. Throws as
 /// payoff_region_script and gnuplot::draw_script do.

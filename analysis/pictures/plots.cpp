@@ -261,20 +261,18 @@ std::string box_layers(const std::vector<std::pair<std::size_t, BoxSummary>>& bo
 
 }  // namespace
 
-std::string heat_map_script(const HeatMap& map, PictureFormat format, const fs::path& output) {
+std::string heat_map_script(const HeatMap& map, PictureFormat format) {
   check(map.names.size());
   const Layout layout = heat_map_layout(map);
   const auto range = colour_range(map);
-  return opening(format, output, layout, map.title) + heat_map_axes(map, layout, range) +
-         heat_map_cells(map, range, format) + "set output\n";
+  return opening(format, layout, map.title) + heat_map_axes(map, layout, range) + heat_map_cells(map, range, format);
 }
 
-std::string box_plot_script(const BoxPlot& plot, PictureFormat format, const fs::path& output) {
+std::string box_plot_script(const BoxPlot& plot, PictureFormat format) {
   check(plot.names.size());
   const Layout layout = box_plot_layout(plot);
   const auto boxes = boxes_of(plot);
-  return opening(format, output, layout, plot.title) + box_plot_axes(plot, layout, axis_range(boxes)) +
-         box_layers(boxes) + "set output\n";
+  return opening(format, layout, plot.title) + box_plot_axes(plot, layout, axis_range(boxes)) + box_layers(boxes);
 }
 
 void require_plotter(std::size_t strategies) {
@@ -283,12 +281,11 @@ void require_plotter(std::size_t strategies) {
 }
 
 void draw(const HeatMap& map, const fs::path& path) {
-  draw_script(path, [&](PictureFormat format, const fs::path& output) { return heat_map_script(map, format, output); });
+  draw_script(path, [&](PictureFormat format) { return heat_map_script(map, format); });
 }
 
 void draw(const BoxPlot& plot, const fs::path& path) {
-  draw_script(path,
-              [&](PictureFormat format, const fs::path& output) { return box_plot_script(plot, format, output); });
+  draw_script(path, [&](PictureFormat format) { return box_plot_script(plot, format); });
 }
 
 }  // namespace folk

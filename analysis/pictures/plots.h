@@ -41,8 +41,8 @@ struct BoxPlot {
 
 /// The whole gnuplot script, data included, that draws into `output` (any path; nothing in a name or a path is
 /// executed). Throws UsageError on no names, more than most_plotted, or a path with a control character.
-std::string heat_map_script(const HeatMap& map, PictureFormat format, const std::filesystem::path& output);
-std::string box_plot_script(const BoxPlot& plot, PictureFormat format, const std::filesystem::path& output);
+std::string heat_map_script(const HeatMap& map, PictureFormat format);
+std::string box_plot_script(const BoxPlot& plot, PictureFormat format);
 
 /// Throws what draw would throw before it draws, so that it shows before a long tournament and not after: UsageError on
 /// more than most_plotted strategies, RendererMissing without gnuplot.

@@ -1,20 +1,21 @@
 #include <folk/analysis/pictures/render.h>
+#include <folk/games/text_file.h>
 #include <folk/strategies/programs/file_descriptor.h>
+#include <folk/strategies/programs/keeper.h>
+#include <folk/strategies/programs/pipes.h>
 #include <folk/strategies/programs/spawn.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cerrno>
-#include <fstream>
 #include <optional>
 #include <sstream>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
-#include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -48,6 +49,19 @@ FileDescriptor scratch_file_with(std::string_view text) {
   }
   ::lseek(file.get(), 0, SEEK_SET);
   return file;
+}
+
+/// What comes through a pipe until its other end is closed.
+std::string all_of(const FileDescriptor& pipe) {
+  std::string text;
+  std::array<char, 65536> block;
+  for (;;) {
+    const ssize_t count = ::read(pipe.get(), block.data(), block.size());
+    if (count > 0)
+      text.append(block.data(), static_cast<std::size_t>(count));
+    else if (count == 0 || errno != EINTR)
+      return text;
+  }
 }
 
 /// The lines of a scratch file that are not blank, without the blanks around them.
@@ -88,45 +102,34 @@ std::optional<std::string> failure(int status) {
 
 }  // namespace
 
-void run_renderer(const std::vector<std::string>& argv, const std::string& input, const std::string& package) {
+std::string run_renderer(const std::vector<std::string>& argv, const std::string& input, const std::string& package) {
   const FileDescriptor standard_input = scratch_file_with(input);
-  const FileDescriptor dropped(::open("/dev/null", O_WRONLY | O_CLOEXEC));
-  if (dropped.get() < 0) throw EnvironmentError(fmt::format("/dev/null cannot be opened: {}", reason(errno)));
   const FileDescriptor errors = scratch_file();
 
   const std::string& program = argv.front();
   pid_t child = 0;
-  const auto error = spawn(child, argv, {standard_input.get(), dropped.get(), errors.get()}, ProcessGroup::ours);
-  if (error == std::errc::no_such_file_or_directory)
-    throw RendererMissing(fmt::format("{} is not installed: apt-get install {}", program, package));
-  if (error) throw EnvironmentError(fmt::format("{} cannot be started: {}", program, error.message()));
+  std::optional<Kept> kept;
+  FileDescriptor drawn;
+  try {
+    Pipe output = open_pipe();
+    const auto error =
+        spawn(child, argv, {standard_input.get(), output.write_end.get(), errors.get()}, ProcessGroup::ours);
+    if (error == std::errc::no_such_file_or_directory)
+      throw RendererMissing(fmt::format("{} is not installed: apt-get install {}", program, package));
+    if (error) throw std::system_error(error);
+    kept.emplace(child);
+    drawn = std::move(output.read_end);
+  } catch (const std::system_error& error) {
+    throw EnvironmentError(fmt::format("{} cannot be started: {}", program, error.code().message()));
+  }
 
+  const std::string picture = all_of(drawn);
   int status = 0;
   while (::waitpid(child, &status, 0) < 0)
     if (errno != EINTR) throw EnvironmentError(fmt::format("{} was lost: {}", program, reason(errno)));
   if (const auto how = failure(status))
     throw EnvironmentError(fmt::format("{} failed ({}): {}", program, *how, complaint(program, errors)));
-}
-
-void draw_file(const fs::path& path, const std::function<void(const fs::path&)>& draw) {
-  static std::atomic<unsigned> serial{0};
-  const fs::path temporary = path.string() + fmt::format(".{}.{}.tmp", ::getpid(), serial++);
-  const auto cannot = [&](const std::string& why) {
-    return EnvironmentError(fmt::format("{}: cannot be written: {}", path.string(), why));
-  };
-  std::error_code error;
-  if (fs::is_directory(path, error)) throw cannot("it is a directory");
-  // An empty file first: a missing or locked folder shows as one clear line, not as another program's complaint.
-  if (!std::ofstream(temporary)) throw cannot(reason(errno));
-  try {
-    draw(temporary);
-    fs::rename(temporary, path, error);
-    if (error) throw cannot(error.message());
-  } catch (...) {
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-    throw;
-  }
+  return picture;
 }
 
 std::string to_string(PictureFormat format) {
@@ -139,17 +142,14 @@ std::string to_string(PictureFormat format) {
 }
 
 void render_dot(const std::string& dot, const fs::path& path, PictureFormat format) {
-  draw_file(path, [&](const fs::path& temporary) {
-    std::vector<std::string> argv{"dot", "-T" + to_string(format)};
-    if (format == PictureFormat::png) argv.emplace_back("-Gdpi=144");
-    argv.emplace_back("-o");
-    argv.push_back(fs::absolute(temporary).string());
-    try {
-      run_renderer(argv, dot, "graphviz");
-    } catch (const RendererMissing& missing) {
-      throw RendererMissing(fmt::format("{}, or write a .dot file", missing.what()));
-    }
-  });
+  require_writable(path);
+  std::vector<std::string> argv{"dot", "-T" + to_string(format)};
+  if (format == PictureFormat::png) argv.emplace_back("-Gdpi=144");
+  try {
+    write_file(path, run_renderer(argv, dot, "graphviz"));
+  } catch (const RendererMissing& missing) {
+    throw RendererMissing(fmt::format("{}, or write a .dot file", missing.what()));
+  }
 }
 
 }  // namespace folk

@@ -4,7 +4,6 @@
 #include <folk/games/error.h>
 
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,15 +15,10 @@ public:
   using EnvironmentError::EnvironmentError;
 };
 
-/// Runs `argv` (the program is looked up on PATH, no shell is involved) with `input` on its standard input and waits.
-/// Its standard output is dropped. `package` is the Debian package that holds the program.
-/// Throws RendererMissing when the program is not installed, EnvironmentError with the most telling line of its
-/// standard error when it fails.
-void run_renderer(const std::vector<std::string>& argv, const std::string& input, const std::string& package);
-
-/// Has `draw` write a picture to a temporary name beside `path` and renames it, so that a failure leaves no half file.
-/// Throws EnvironmentError when the folder does not exist or cannot be written, and whatever `draw` throws.
-void draw_file(const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& draw);
+/// What `argv` (the program is looked up on PATH, no shell is involved) writes to its standard output with `input` on
+/// its standard input. `package` is the Debian package that holds the program. Throws RendererMissing when the program
+/// is not installed, EnvironmentError with the most telling line of its standard error when it fails.
+std::string run_renderer(const std::vector<std::string>& argv, const std::string& input, const std::string& package);
 
 /// The formats of pictures that both programs write.
 enum class PictureFormat { svg, png, pdf };

@@ -2,12 +2,26 @@
 
 #include <algorithm>
 #include <atomic>
-#include <boost/asio/post.hpp>
-#include <boost/asio/thread_pool.hpp>
 #include <exception>
 #include <mutex>
+#include <new>
+#include <system_error>
+#include <thread>
+#include <vector>
 
 namespace folk {
+
+std::vector<std::jthread> start_threads(unsigned count, const std::function<void(unsigned)>& body) {
+  std::vector<std::jthread> threads;
+  threads.reserve(count);
+  try {
+    while (threads.size() < count)
+      threads.emplace_back([&body, number = static_cast<unsigned>(threads.size())] { body(number); });
+  } catch (const std::system_error&) {
+  } catch (const std::bad_alloc&) {
+  }
+  return threads;
+}
 
 void parallel_for(std::size_t count, unsigned threads, const std::function<void(std::size_t, unsigned)>& work,
                   const Progress& progress) {
@@ -42,12 +56,10 @@ void parallel_for(std::size_t count, unsigned threads, const std::function<void(
   };
   const auto workers =
       static_cast<unsigned>(std::min<std::size_t>(std::max(1U, threads), std::max<std::size_t>(1, count)));
-  if (workers == 1) {
+  {
+    const std::function<void(unsigned)> beside = [&run](unsigned number) { run(number + 1); };
+    const auto others = start_threads(workers - 1, beside);
     run(0);
-  } else {
-    boost::asio::thread_pool pool(workers);
-    for (unsigned worker = 0; worker < workers; ++worker) boost::asio::post(pool, [&run, worker] { run(worker); });
-    pool.join();
   }
   if (failure) std::rethrow_exception(failure);
 }

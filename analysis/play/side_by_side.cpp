@@ -67,7 +67,10 @@ void check_length(const Contest& contest, const Sampling& sampling) {
 
 void SeatedMatch::start(const Contest& contest, std::size_t contest_number, std::uint64_t repetition,
                         const Sampling& sampling, Slipping slipping) {
-  if (contest_ != contest) players_ = {contest.first->new_player(), contest.second->new_player()};
+  if (contest_ != contest || !players_[0]) {
+    leave();
+    players_ = {contest.first->new_player(), contest.second->new_player()};
+  }
   contest_ = contest;
   contest_number_ = contest_number;
   repetition_ = repetition;
@@ -77,6 +80,11 @@ void SeatedMatch::start(const Contest& contest, std::size_t contest_number, std:
   noise_ = {noise, slipping == Slipping::both ? noise : 0};
   slips_ = RandomStream(key(MatchRole::noise));
   rounds_ = rounds_left_ = length_of_match(sampling.criterion, contest.once, key(MatchRole::length));
+}
+
+void SeatedMatch::leave() {
+  for (auto& player : players_)
+    if (const auto leaving = std::exchange(player, nullptr)) leaving->finish();
 }
 
 MatchTables::MatchTables(const std::vector<Contest>& contests, const Sampling& sampling, Slipping slipping)
@@ -105,6 +113,7 @@ std::span<SeatedMatch> MatchTables::seat_next() {
     if (!contest.first->machine || !contest.second->machine) rounds_of_turn_ = 1;
     if (!company) break;
   }
+  for (std::size_t i = size; i < seated_.size(); ++i) seated_[i].leave();
   seated_.resize(size);
   return seated_;
 }

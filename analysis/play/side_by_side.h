@@ -71,6 +71,9 @@ public:
   void start(const Contest& contest, std::size_t contest_number, std::uint64_t repetition, const Sampling& sampling,
              Slipping slipping);
 
+  /// The players need not stay for what follows. Throws what Player::finish does.
+  void leave();
+
   std::uint64_t rounds_left() const { return rounds_left_; }
 
   template <class Sheet>

@@ -1,3 +1,4 @@
+#include <folk/analysis/play/parallel.h>
 #include <folk/analysis/play/workers.h>
 
 #include <algorithm>
@@ -38,6 +39,7 @@ struct Workers::State {
   std::atomic<std::size_t> next{0};
   std::size_t failed_at = 0;
   std::exception_ptr failure;
+  const std::function<void(unsigned)> body = [this](unsigned number) { stand_by(number + 1); };
   std::vector<std::jthread> threads;
 
   void take_pieces(unsigned worker) {
@@ -74,12 +76,7 @@ struct Workers::State {
 
 Workers::Workers(unsigned threads)
     : state_(std::make_unique<State>()) {
-  try {
-    for (unsigned worker = 1; worker < std::max(1U, threads); ++worker)
-      state_->threads.emplace_back([this, worker] { state_->stand_by(worker); });
-  } catch (const std::system_error&) {
-    // Fewer threads do: the work and its results are the same.
-  }
+  state_->threads = start_threads(std::max(1U, threads) - 1, state_->body);
 }
 
 Workers::~Workers() {

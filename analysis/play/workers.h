@@ -7,7 +7,7 @@
 
 namespace folk {
 
-/// As many threads as are asked for, the caller's own among them.
+/// As many threads as are asked for, the caller's own among them; fewer where the system starts no more.
 class Workers {
 public:
   explicit Workers(unsigned threads);

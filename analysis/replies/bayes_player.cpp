@@ -2,6 +2,7 @@
 #include <folk/analysis/replies/bayes_reply.h>
 #include <folk/analysis/replies/posterior.h>
 #include <folk/games/error.h>
+#include <folk/strategies/programs/program_rules.h>
 
 #include <fmt/format.h>
 
@@ -189,7 +190,7 @@ std::string canonical(const Registry& registry, std::string_view spec, const Pay
     const std::string& known = registry.describe(item).name;
     if (item.find('(') == std::string::npos && known.find_first_of("(<@:") == std::string::npos)
       name = known;
-    else if (!item.starts_with('@') && !item.starts_with("exec:"))
+    else if (!item.starts_with('@') && !names_a_program(item))
       if (const auto members = registry.roster(item, payoffs); members.size() == 1) name = members.front().name;
     names += (names.empty() ? "" : ",") + name;
   }

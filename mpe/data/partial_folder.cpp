@@ -49,9 +49,7 @@ PartialFolder::PartialFolder(const fs::path& target)
   for (int attempt = 0; attempt < 100; ++attempt) {
     lock();
     if (!is_at(lock_, lock_path())) continue;
-    std::error_code ignored;
-    for (const auto& entry : entries())
-      if (entry.extension() == ".tmp") fs::remove(entry, ignored);  // of write_file
+    remove_cut_off_writes(path_);
     return;
   }
   fail(path_, "cannot be locked: it is made and removed all the time; name another folder");

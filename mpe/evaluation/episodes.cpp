@@ -41,6 +41,11 @@ public:
     }
   }
 
+  /// No more episodes follow.
+  void finish() {
+    for (const auto& player : players_) player->finish();
+  }
+
 private:
   const Layout& layout_;
   const Cast& cast_;
@@ -101,6 +106,8 @@ void play_episodes(const Layout& layout, const Cast& cast, const EpisodePlan& pl
                  tables[worker]->play(plan, plan.first + begin, std::min(together, plan.episodes - begin), *looks_on);
                },
                progress);
+  for (const auto& table : tables)
+    if (table) table->finish();
 }
 
 std::unique_ptr<Watcher> scoring(EpisodeScore* scores) { return std::make_unique<Scorer>(scores); }

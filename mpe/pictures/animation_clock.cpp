@@ -15,7 +15,10 @@ std::string AnimationClock::duration() const {
 /// The last frame's value is kept at rest.
 std::string AnimationClock::values(std::size_t count, const std::function<std::string(std::size_t)>& value) const {
   std::string text;
-  for (std::size_t i = 0; i < count; ++i) text += (i == 0 ? "" : ";") + value(std::min(i, last()));
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i > 0) text += ';';
+    text += value(std::min(i, last()));
+  }
   return text;
 }
 

@@ -21,32 +21,17 @@ PictureFormat episode_format(const fs::path& path) {
                                excerpt(path.string(), 200)));
 }
 
-/// Thrown to give up a file that was only tried.
-struct GivenUp {};
-
-/// Whether a file could be made there: a missing or locked folder shows.
-void require_writable(const fs::path& path) {
-  try {
-    draw_file(path, [](const fs::path&) { throw GivenUp(); });
-  } catch (const GivenUp&) {
-  }
-}
-
 }  // namespace
 
 void require_drawable(const fs::path& path) {
-  if (episode_format(path) == PictureFormat::png) {
-    gnuplot::require_gnuplot();
-    gnuplot::path_literal(path);  // refuses what a script cannot hold
-  }
+  if (episode_format(path) == PictureFormat::png) gnuplot::require_gnuplot();
   require_writable(path);
 }
 
 void draw_episode(const EpisodeRecord& record, const fs::path& path) {
   if (episode_format(path) == PictureFormat::svg) return write_file(path, animated_svg(record));
   const Picture picture = draw_filmstrip(record);
-  gnuplot::draw_script(
-      path, [&](PictureFormat format, const fs::path& output) { return gnuplot_script(picture, format, output); });
+  gnuplot::draw_script(path, [&](PictureFormat format) { return gnuplot_script(picture, format); });
 }
 
 }  // namespace folk::mpe

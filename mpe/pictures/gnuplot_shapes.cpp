@@ -58,15 +58,15 @@ struct GnuplotWriter {
 
 }  // namespace
 
-std::string gnuplot_script(const Picture& picture, PictureFormat format, const std::filesystem::path& output) {
+std::string gnuplot_script(const Picture& picture, PictureFormat format) {
   GnuplotWriter writer;
   for (const auto& shape : picture.shapes) std::visit(writer, shape);
   const gnuplot::Layout layout{picture.width, picture.height, 0, picture.width, 0, picture.height};
   // The axes are the picture's pixels.
-  return gnuplot::opening(format, output, layout, "") +
+  return gnuplot::opening(format, layout, "") +
          fmt::format("unset border\nunset tics\nset xrange [0:{}]\nset yrange [{}:0]\n", picture.width,
                      picture.height) +
-         writer.labels + writer.data + fmt::format("plot {}\nset output\n", fmt::join(writer.parts, ", \\\n     "));
+         writer.labels + writer.data + fmt::format("plot {}\n", fmt::join(writer.parts, ", \\\n     "));
 }
 
 }  // namespace folk::mpe

@@ -11,6 +11,6 @@ namespace folk::mpe {
 
 /// The whole script, data included, that draws a picture into `output`; no text in it is executed. Texts lie above all
 /// else. Throws UsageError on a path with a control character.
-std::string gnuplot_script(const Picture& picture, PictureFormat format, const std::filesystem::path& output);
+std::string gnuplot_script(const Picture& picture, PictureFormat format);
 
 }  // namespace folk::mpe

@@ -60,8 +60,7 @@ std::string axes(const LearningCurvePlot& plot, const gnuplot::Layout& layout, P
 
 }  // namespace
 
-std::string learning_curve_script(const LearningCurvePlot& plot, PictureFormat format,
-                                  const std::filesystem::path& output) {
+std::string learning_curve_script(const LearningCurvePlot& plot, PictureFormat format) {
   require_sound(plot);
   const auto layout = layout_of(plot);
   std::string data;
@@ -77,14 +76,12 @@ std::string learning_curve_script(const LearningCurvePlot& plot, PictureFormat f
   for (const auto& mark : plot.marks)
     layers.push_back(fmt::format("{} with lines lw 1 dt 2 lc rgb '#666666' title {}", mark.value,
                                  text_literal(fmt::format("{} ({:.1f})", mark.name, mark.value))));
-  return opening(format, output, layout, plot.title) + axes(plot, layout, format) + data +
-         fmt::format("plot {}\nset output\n", fmt::join(layers, ", \\\n     "));
+  return opening(format, layout, plot.title) + axes(plot, layout, format) + data +
+         fmt::format("plot {}\n", fmt::join(layers, ", \\\n     "));
 }
 
 void draw(const LearningCurvePlot& plot, const std::filesystem::path& path) {
-  draw_script(path, [&](PictureFormat format, const std::filesystem::path& output) {
-    return learning_curve_script(plot, format, output);
-  });
+  draw_script(path, [&](PictureFormat format) { return learning_curve_script(plot, format); });
 }
 
 }  // namespace folk::mpe

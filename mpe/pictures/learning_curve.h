@@ -31,8 +31,7 @@ struct LearningCurvePlot {
 
 /// The whole gnuplot script, data included, that draws into `output`. Throws UsageError on no curves, or one that is
 /// empty, of two lengths, or not finite.
-std::string learning_curve_script(const LearningCurvePlot& plot, PictureFormat format,
-                                  const std::filesystem::path& output);
+std::string learning_curve_script(const LearningCurvePlot& plot, PictureFormat format);
 
 /// Draws to a file whose extension is .svg, .png or .pdf. Throws as learning_curve_script and gnuplot::draw_script do.
 void draw(const LearningCurvePlot& plot, const std::filesystem::path& path);

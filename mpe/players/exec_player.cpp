@@ -2,81 +2,43 @@
 #include <folk/games/error.h>
 #include <folk/mpe/players/exec_player.h>
 #include <folk/mpe/world/random_stream.h>
-#include <folk/strategies/programs/child_process.h>
-#include <folk/strategies/programs/exec_player.h>
-#include <folk/strategies/quoted_text.h>
+#include <folk/strategies/programs/asked_program.h>
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 #include <utility>
 
 namespace folk::mpe {
 namespace {
 
-using std::chrono::milliseconds;
-
 class ExecPlayer final : public Player {
 public:
-  ExecPlayer(std::string name, std::string command, milliseconds time_out)
-      : name_(std::move(name)),
-        command_(std::move(command)),
-        time_out_(time_out) {}
-
-  ~ExecPlayer() override {
-    if (!child_) return;
-    try {
-      child_->send("end\n", std::min(time_out_, ChildProcess::grace));
-    } catch (const EnvironmentError&) {
-      child_->abandon();  // the episodes are over, and so is the program
-    }
-  }
+  explicit ExecPlayer(ProgramCall call)
+      : program_(std::move(call), "act") {}
 
   void start(const Layout& layout, const Block&, std::size_t agent, const Moment& moment) override {
-    if (!child_) child_ = std::make_unique<ChildProcess>(name_, command_);
-    unsent_ = fmt::format("episode {} agent={} steps={} seed={}\n", layout.scenario().name, agent,
-                          layout.scenario().episode_steps,
-                          random_stream(moment.seed, RandomUse::predators, moment.first, 0, agent)());
+    program_.run();
+    program_.tell(fmt::format("episode {} agent={} steps={} seed={}", layout.scenario().name, agent,
+                              layout.scenario().episode_steps,
+                              random_stream(moment.seed, RandomUse::predators, moment.first, 0, agent)()));
   }
 
   void act(const Layout& layout, const Block& block, std::size_t agent, const Moment& moment) override {
-    if (!child_) start(layout, block, agent, moment);
-    std::string line = unsent_ + "act";
+    if (!program_.runs()) start(layout, block, agent, moment);
+    std::string line = "act";
     for (std::size_t row = layout.observation_begin(agent); row < layout.observation_begin(agent + 1); ++row)
       line += fmt::format(" {}", block.observations[row * block_lanes]);
-    unsent_.clear();
-    const auto force = ask(line + "\n");
+    const Force force = program_.ask(line, parse_force);
     const auto [x, y] = action_rows(block, agent);
     *x = force.x;
     *y = force.y;
   }
 
-private:
-  Force ask(const std::string& lines) {
-    try {
-      // An answer to an earlier line would be taken for the answer to this one, and all later ones would be off by one.
-      if (child_->has_spoken())
-        throw EnvironmentError(name_ + ": wrote a line before it was asked; only the line 'act' wants an answer");
-      child_->send(lines, time_out_);
-      const std::string answer = child_->receive(time_out_);
-      try {
-        return parse_force(answer);
-      } catch (const UsageError& error) {
-        throw EnvironmentError(fmt::format("{}: {}", name_, error.what()));
-      }
-    } catch (const EnvironmentError&) {
-      child_->abandon();
-      child_.reset();
-      throw;
-    }
-  }
+  void finish() override { program_.finish(); }
 
-  std::string name_;
-  std::string command_;
-  milliseconds time_out_;
-  std::unique_ptr<ChildProcess> child_;
-  std::string unsent_;
+private:
+  AskedProgram program_;
 };
 
 }  // namespace
@@ -94,10 +56,9 @@ Force parse_force(std::string_view line) {
   throw UsageError(fmt::format("answer '{}': expected an action, two numbers as in '0.5 -1'", excerpt(line)));
 }
 
-Controller exec_controller(std::string_view command, milliseconds time_out) {
-  const std::string plain = unquoted(command);
-  const std::string name = exec_strategy(plain, time_out).name;  // of the same form, and refused for the same reasons
-  return {name, each([=](const Layout&, std::size_t) { return std::make_unique<ExecPlayer>(name, plain, time_out); }),
+Controller exec_controller(const ProgramCall& call) {
+  check_call(call);
+  return {to_string(call), each([call](const Layout&, std::size_t) { return std::make_unique<ExecPlayer>(call); }),
           true};
 }
 

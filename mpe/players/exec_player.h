@@ -3,19 +3,17 @@
 // docs/exec-protocol.md.
 
 #include <folk/mpe/players/player.h>
+#include <folk/strategies/programs/program_rules.h>
 
-#include <chrono>
-#include <string>
 #include <string_view>
 
 namespace folk::mpe {
 
-/// The controller exec:COMMAND; quotes around the command are taken off, and \" and \\ between them read as " and \.
-/// Each of its players starts its own `/bin/sh -c COMMAND` and plays one episode after another. A player throws
-/// EnvironmentError, naming the command, when the program cannot be started, ends early, is silent for `time_out`,
-/// speaks unasked, or answers what is not two finite numbers. Throws UsageError when the command is blank or has
-/// control characters, or the time-out is not between 1 ms and a day.
-Controller exec_controller(std::string_view command, std::chrono::milliseconds time_out = std::chrono::seconds(5));
+/// The controller of a program. Each of its players starts its own `/bin/sh -c COMMAND` and plays one episode after
+/// another. A player throws EnvironmentError, naming the command, when the program cannot be started, ends early, is
+/// silent for too long, speaks unasked (found before the next question, or by Player::finish), or answers what is not
+/// two finite numbers. Throws UsageError as check_call does.
+Controller exec_controller(const ProgramCall& call);
 
 /// Reads "0.5 -1": an action. Throws UsageError on anything else.
 struct Force {

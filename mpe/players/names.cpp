@@ -44,7 +44,7 @@ public:
 
   Controller make(std::string_view spec) const {
     if (spec.empty()) refuse(spec);
-    if (spec.starts_with("exec:")) return exec_controller(spec.substr(5));
+    if (names_a_program(spec)) return exec_controller(parse_program_call(spec.substr(4)));
     if (const auto open = spec.find('('); open != std::string_view::npos && spec.back() == ')')
       if (auto found = call(name_key(spec.substr(0, open)), spec.substr(open + 1, spec.size() - open - 2)))
         return *std::move(found);

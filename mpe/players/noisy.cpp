@@ -29,6 +29,8 @@ public:
     }
   }
 
+  void finish() override { player_->finish(); }
+
 private:
   std::unique_ptr<Player> player_;
   double sigma_;

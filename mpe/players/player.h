@@ -31,6 +31,9 @@ public:
 
   /// Writes the agent's actions, rows 2 agent and 2 agent + 1 of block.actions, for the lanes in use.
   virtual void act(const Layout& layout, const Block& block, std::size_t agent, const Moment& moment) = 0;
+
+  /// No more episodes follow. Throws EnvironmentError for a program that has spoken unasked.
+  virtual void finish() {}
 };
 
 /// Which agents a controller moves.

@@ -114,6 +114,8 @@ public:
     }
   }
 
+  void finish() override { one_->finish(); }
+
 private:
   double p_;
   std::unique_ptr<Player> one_;

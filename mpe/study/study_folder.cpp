@@ -33,19 +33,6 @@ void make_folder(const fs::path& folder) {
     throw EnvironmentError(fmt::format("{}: cannot be made: {}", excerpt(folder.string(), 1000), error.message()));
 }
 
-/// Removes what a killed run left in a folder of its writes, whatever they were to.
-void remove_cut_off_writes_in(const fs::path& folder) {
-  std::set<std::string> files;
-  std::error_code error;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    fs::path name = entry->path().filename();  // "scores.csv.4711.0.tmp"
-    if (name.extension() != ".tmp") continue;
-    for (int part = 0; part < 3; ++part) name = name.stem();
-    files.insert(name.string());
-  }
-  for (const auto& file : files) remove_cut_off_writes(folder / file);
-}
-
 }  // namespace
 
 StudyFolder::StudyFolder(fs::path root, fs::path players, std::string folk_version)
@@ -54,7 +41,7 @@ StudyFolder::StudyFolder(fs::path root, fs::path players, std::string folk_versi
       folk_version_(std::move(folk_version)) {
   for (const char* part : {"records", "work/data", "work/runs", "work/policies"}) make_folder(root_ / part);
   lock_ = std::make_unique<sct::CheckpointFiles>(root_ / "work" / "lock");
-  for (const char* part : {"", "records", "work/policies", "latex", "pictures"}) remove_cut_off_writes_in(root_ / part);
+  for (const char* part : {"", "records", "work/policies", "latex", "pictures"}) remove_cut_off_writes(root_ / part);
   // A job that was cut off between its record and its end.
   std::error_code error;
   std::vector<fs::path> left;
@@ -120,7 +107,7 @@ std::map<std::string, StudyRecord> read_records(const fs::path& root, const Stud
     const fs::path file = root / "records" / (job.name() + ".json");
     std::error_code ignored;
     if (!fs::exists(file, ignored)) continue;
-    auto record = parse_record(read_file(file, largest_record), file.string());
+    auto record = parse_record(read_ordinary_file(file, largest_record), file.string());
     if (record.job != job)
       throw InputFileError(fmt::format("{}: the record of another job, {}; remove it, and its own is done again",
                                        excerpt(file.string(), 1000), excerpt(record.job.name())));

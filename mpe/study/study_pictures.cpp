@@ -94,7 +94,7 @@ std::string block(const std::string& name, const std::string& rows) {
 }
 
 std::string plotted(const std::vector<std::string>& layers) {
-  return fmt::format("plot {}\nset output\n", fmt::join(layers, ", \\\n     "));
+  return fmt::format("plot {}\n", fmt::join(layers, ", \\\n     "));
 }
 
 /// The data of one kind's bars: middle, share, the ends of its interval, width; and of its marks: left end, share,
@@ -215,15 +215,12 @@ void add(std::vector<StudyPicture>& pictures, const std::string& name, const std
          Script script_of) {
   if (!plot) return;
   pictures.push_back(
-      {name, plot->title, [plot = *plot, script_of](PictureFormat format, const std::filesystem::path& output) {
-         return script_of(plot, format, output);
-       }});
+      {name, plot->title, [plot = *plot, script_of](PictureFormat format) { return script_of(plot, format); }});
 }
 
 }  // namespace
 
-std::string interval_curves_script(const IntervalCurvesPlot& plot, PictureFormat format,
-                                   const std::filesystem::path& output) {
+std::string interval_curves_script(const IntervalCurvesPlot& plot, PictureFormat format) {
   require_any(!plot.curves.empty(), plot.title);
   const auto layout = layout_of(plot.title, 560, 320, plot.curves.size());
   Span x, y;
@@ -247,11 +244,11 @@ std::string interval_curves_script(const IntervalCurvesPlot& plot, PictureFormat
   }
   x = x.padded();
   y = y.padded();
-  return opening(format, output, layout, plot.title) + axes(layout, format, plot.x_title, plot.y_title) +
+  return opening(format, layout, plot.title) + axes(layout, format, plot.x_title, plot.y_title) +
          fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", x.low, x.high, y.low, y.high) + data + plotted(layers);
 }
 
-std::string agreement_script(const AgreementPlot& plot, PictureFormat format, const std::filesystem::path& output) {
+std::string agreement_script(const AgreementPlot& plot, PictureFormat format) {
   require_any(!plot.learners.empty(), plot.title);
   const auto layout = layout_of(plot.title, 420, 420, plot.learners.size() + 1);
   Span both;
@@ -272,11 +269,11 @@ std::string agreement_script(const AgreementPlot& plot, PictureFormat format, co
                                  text_literal(plot.learners[i].name)));
   }
   both = both.padded();
-  return opening(format, output, layout, plot.title) + axes(layout, format, "score in the paper", "score here") +
+  return opening(format, layout, plot.title) + axes(layout, format, "score in the paper", "score here") +
          fmt::format("set xrange [{0}:{1}]\nset yrange [{0}:{1}]\n", both.low, both.high) + data + plotted(layers);
 }
 
-std::string share_bars_script(const ShareBarsPlot& plot, PictureFormat format, const std::filesystem::path& output) {
+std::string share_bars_script(const ShareBarsPlot& plot, PictureFormat format) {
   const auto layout = layout_of(plot.title, 560, 300, plot.kinds.size() + (plot.mark_title.empty() ? 0 : 1));
   std::string data, marks;
   std::vector<std::string> layers;
@@ -296,7 +293,7 @@ std::string share_bars_script(const ShareBarsPlot& plot, PictureFormat format, c
     layers.push_back(fmt::format("$MARKS using 1:2:3:(0) with vectors nohead lw 2 lc rgb 'black' title {}",
                                  text_literal(plot.mark_title)));
   }
-  return opening(format, output, layout, plot.title) + axes(layout, format, "against the prey", plot.y_title) +
+  return opening(format, layout, plot.title) + axes(layout, format, "against the prey", plot.y_title) +
          "unset grid\nset grid ytics lt 1 lw 0.5 lc rgb '#e4e4e4'\n" +
          name_tics("xtics", plot.groups, text_font, "nomirror") +
          fmt::format("set xrange [-0.6:{}]\nset yrange [0:1.05]\n", static_cast<double>(plot.groups.size()) - 0.4) +

@@ -68,16 +68,15 @@ struct ShareBarsPlot {
 
 /// The whole gnuplot scripts, data included, that draw into `output`. Throw UsageError when there is nothing to draw or
 /// a number is not finite.
-std::string interval_curves_script(const IntervalCurvesPlot& plot, PictureFormat format,
-                                   const std::filesystem::path& output);
-std::string agreement_script(const AgreementPlot& plot, PictureFormat format, const std::filesystem::path& output);
-std::string share_bars_script(const ShareBarsPlot& plot, PictureFormat format, const std::filesystem::path& output);
+std::string interval_curves_script(const IntervalCurvesPlot& plot, PictureFormat format);
+std::string agreement_script(const AgreementPlot& plot, PictureFormat format);
+std::string share_bars_script(const ShareBarsPlot& plot, PictureFormat format);
 
 /// A picture of the study.
 struct StudyPicture {
   std::string name;   ///< of its file: "blend_simple_tag"
   std::string words;  ///< for who cannot see it
-  std::function<std::string(PictureFormat, const std::filesystem::path& output)> script;
+  std::function<std::string(PictureFormat)> script;
 };
 
 /// Those for which anything was run, a scenario each: scores_ (ours over the paper's), blend_, accuracy_ and asked_ of

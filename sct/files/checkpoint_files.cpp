@@ -37,12 +37,6 @@ std::optional<std::uint64_t> step_of(const fs::path& path) {
   return step;
 }
 
-/// What a write that was cut off leaves: "step-100.checkpoint.4711.0.tmp" (write_file of games/text_file.h).
-bool left_over(const fs::path& path) {
-  const std::string name = path.filename().string();
-  return name.starts_with(prefix) && name.ends_with(".tmp") && name.find(suffix) != std::string::npos;
-}
-
 [[noreturn]] void fail(const fs::path& path, const std::string& why) {
   throw EnvironmentError(fmt::format("checkpoint folder {}: {}", excerpt(path.string(), 1000), why));
 }
@@ -72,13 +66,7 @@ CheckpointFiles::CheckpointFiles(fs::path path)
     fail(path_, reason == EWOULDBLOCK ? "another run is using it; wait for its end or name another folder"
                                       : fmt::format("cannot be locked: {}; name another", std::strerror(reason)));
   }
-  try {
-    for (const auto& file : files_in(path_))
-      if (left_over(file)) fs::remove(file, error);
-  } catch (...) {
-    ::close(lock_);
-    throw;
-  }
+  remove_cut_off_writes(path_);
 }
 
 CheckpointFiles::~CheckpointFiles() { ::close(lock_); }
@@ -97,7 +85,7 @@ bool CheckpointFiles::read_newest(const std::function<void(std::string_view, con
   std::vector<InputFileError> faults;
   for (const auto& file : files) {
     try {
-      parse(read_file(file, largest_checkpoint), file.string());
+      parse(read_ordinary_file(file, largest_checkpoint), file.string());
       for (const auto& fault : faults) skipped(fault.what());
       return true;
     } catch (const InputFileError& error) {

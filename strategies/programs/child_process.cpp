@@ -1,5 +1,7 @@
 #include <folk/games/error.h>
 #include <folk/strategies/programs/child_process.h>
+#include <folk/strategies/programs/pipes.h>
+#include <folk/strategies/programs/program_rules.h>
 #include <folk/strategies/programs/spawn.h>
 
 #include <fcntl.h>
@@ -13,10 +15,12 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <ctime>
+#include <filesystem>
+#include <fstream>
 #include <system_error>
 #include <thread>
 #include <utility>
+#include <vector>
 
 namespace folk {
 
@@ -25,32 +29,9 @@ namespace {
 using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
-double seconds(milliseconds time) { return std::chrono::duration<double>(time).count(); }
-
-struct Pipe {
-  FileDescriptor read_end;
-  FileDescriptor write_end;
-};
-
 [[noreturn]] void fail_to_start(const std::string& name, const std::error_code& error) {
   throw EnvironmentError(
       fmt::format("{}: cannot be started: {}; fewer programs at once may help", name, error.message()));
-}
-
-/// A pipe that takes the place of a standard stream which the host closed would receive what the host writes there.
-FileDescriptor above_standard(FileDescriptor descriptor) {
-  return descriptor.get() > STDERR_FILENO ? std::move(descriptor) : duplicate_above_standard(descriptor.get());
-}
-
-/// Close-on-exec from birth: otherwise a child started by another thread keeps the ends open and nobody sees their end.
-Pipe open_pipe(const std::string& name) {
-  int ends[2];
-  const bool opened = ::pipe2(ends, O_CLOEXEC) == 0;
-  Pipe pipe;
-  if (opened) pipe = {above_standard(FileDescriptor(ends[0])), above_standard(FileDescriptor(ends[1]))};
-  if (!opened || pipe.read_end.get() < 0 || pipe.write_end.get() < 0)
-    fail_to_start(name, std::error_code(errno, std::generic_category()));
-  return pipe;
 }
 
 /// Each end of a pipe has its own flags: the child's ends stay blocking.
@@ -58,38 +39,25 @@ void set_non_blocking(const FileDescriptor& descriptor) {
   ::fcntl(descriptor.get(), F_SETFL, ::fcntl(descriptor.get(), F_GETFL) | O_NONBLOCK);
 }
 
-/// Waits until `events` are possible (or the other end is gone); false when the deadline passes first.
-bool ready(const FileDescriptor& descriptor, short events, Clock::time_point deadline) {
-  for (;;) {
-    const auto left = std::chrono::ceil<milliseconds>(deadline - Clock::now());
-    pollfd wait{descriptor.get(), events, 0};
-    const int found = ::poll(&wait, 1, static_cast<int>(std::max<milliseconds::rep>(left.count(), 0)));
-    if (found > 0) return true;
-    if (found == 0 && left.count() <= 0) return false;
-    if (found < 0 && errno != EINTR) return true;  // the read or write that follows says what is wrong
+/// The processes that this one has started and that are still its own.
+std::vector<pid_t> children_of(pid_t parent) {
+  std::vector<pid_t> children;
+  std::error_code error;
+  for (std::filesystem::directory_iterator task(fmt::format("/proc/{}/task", parent), error), end;
+       !error && task != end; task.increment(error)) {
+    std::ifstream list(task->path() / "children");
+    for (pid_t child = 0; list >> child;) children.push_back(child);
   }
+  return children;
 }
 
-/// write(2) to a pipe whose reader may be gone, without the SIGPIPE that would end the host: blocked for this thread
-/// only, and taken off again when it was ours.
-ssize_t write_without_signal(const FileDescriptor& descriptor, std::string_view text) {
-  sigset_t pipe_signal;
-  sigset_t before;
-  sigset_t pending;
-  sigemptyset(&pipe_signal);
-  sigaddset(&pipe_signal, SIGPIPE);
-  ::sigpending(&pending);
-  ::pthread_sigmask(SIG_BLOCK, &pipe_signal, &before);
-  const ssize_t written = ::write(descriptor.get(), text.data(), text.size());
-  const int error = errno;
-  if (written < 0 && error == EPIPE && sigismember(&pending, SIGPIPE) == 0) {
-    const timespec at_once{};
-    while (::sigtimedwait(&pipe_signal, nullptr, &at_once) < 0 && errno == EINTR) {
-    }
-  }
-  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  errno = error;
-  return written;
+/// Kills a process, its group, and whatever it has started that went into another.
+void kill_all(pid_t leader) {
+  std::vector<pid_t> all{leader};
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (const pid_t child : children_of(all[i])) all.push_back(child);
+  ::kill(-leader, SIGKILL);
+  for (const pid_t id : all) ::kill(id, SIGKILL);
 }
 
 std::string describe_end(const siginfo_t& end) {
@@ -108,15 +76,21 @@ std::string describe_end(const siginfo_t& end) {
 
 }  // namespace
 
-ChildProcess::ChildProcess(std::string name, const std::string& command)
-    : name_(std::move(name)) {
-  Pipe input = open_pipe(name_);
-  Pipe output = open_pipe(name_);
-  const StandardStreams streams{input.read_end.get(), output.write_end.get(), StandardStreams::shared};
-  if (const auto error = spawn(id_, {"/bin/sh", "-c", command}, streams, ProcessGroup::own))
-    fail_to_start(name_, error);
-  to_child_ = std::move(input.write_end);
-  from_child_ = std::move(output.read_end);
+ChildProcess::ChildProcess(std::string name, const std::string& command, std::string question)
+    : name_(std::move(name)),
+      question_(std::move(question)) {
+  try {
+    Pipe input = open_pipe();
+    Pipe output = open_pipe();
+    const StandardStreams streams{input.read_end.get(), output.write_end.get(), StandardStreams::shared};
+    if (const auto error = spawn(id_, {"/bin/sh", "-c", command}, streams, ProcessGroup::own))
+      throw std::system_error(error);
+    kept_.emplace(id_);
+    to_child_ = std::move(input.write_end);
+    from_child_ = std::move(output.read_end);
+  } catch (const std::system_error& error) {
+    fail_to_start(name_, error.code());
+  }
   set_non_blocking(to_child_);
   set_non_blocking(from_child_);
 }
@@ -125,7 +99,7 @@ ChildProcess::~ChildProcess() {
   to_child_.close();
   if (!abandoned_) wait_for_end(grace);
   // An ended leader is not reaped yet, so that its number still means this group and no newer one.
-  ::kill(-id_, SIGKILL);
+  kill_all(id_);
   while (::waitpid(id_, nullptr, 0) < 0 && errno == EINTR) {
   }
 }
@@ -145,7 +119,7 @@ void ChildProcess::send(std::string_view lines, milliseconds time_out) {
   }
 }
 
-std::string ChildProcess::receive(milliseconds time_out) {
+std::string ChildProcess::receive(milliseconds time_out, std::string_view hint) {
   const auto deadline = Clock::now() + time_out;
   for (;;) {
     const auto end = received_.find('\n');
@@ -157,10 +131,28 @@ std::string ChildProcess::receive(milliseconds time_out) {
       return line;
     }
     if (!ready(from_child_, POLLIN, deadline))
-      fail(fmt::format("silent for {} s; it must answer each 'move' with one line, and flush its output",
-                       seconds(time_out)));
+      fail(fmt::format("silent for {} s; it must answer each '{}' with one line, and flush its output{}",
+                       seconds(time_out), question_, hint));
     if (!read_some()) fail_ended();
   }
+}
+
+bool ChildProcess::end(std::string_view lines, milliseconds time_out) {
+  const auto deadline = Clock::now() + grace;
+  try {
+    send(lines, std::min(time_out, grace));
+  } catch (const EnvironmentError&) {
+    abandoned_ = true;  // it has gone, or does not listen: it was not to do anything more
+  }
+  to_child_.close();
+  while (received_.empty()) {
+    if (!ready(from_child_, POLLIN, deadline)) {
+      abandoned_ = true;
+      break;
+    }
+    if (!read_some()) break;
+  }
+  return !received_.empty();
 }
 
 bool ChildProcess::has_spoken() {

@@ -2,11 +2,10 @@
 // A program on the other end of a pipe as a player: exec:"CMD". Its protocol is in docs/exec-protocol.md.
 
 #include <folk/games/move.h>
+#include <folk/strategies/programs/program_rules.h>
 #include <folk/strategies/strategy.h>
 
-#include <chrono>
 #include <optional>
-#include <string>
 #include <string_view>
 
 namespace folk {
@@ -23,10 +22,10 @@ struct Reply {
 /// Throws UsageError on anything else.
 Reply parse_reply(std::string_view line);
 
-/// The strategy exec:"COMMAND". Each of its players starts its own `/bin/sh -c COMMAND` at its first match.
-/// A player throws EnvironmentError, naming the command, when the program cannot be started, ends early, is silent for
-/// `time_out`, or answers what is no move; start() then begins anew with a fresh program.
-/// Throws UsageError when the command is blank or has control characters, or time_out is not from 1 ms to a day.
-Strategy exec_strategy(const std::string& command, std::chrono::milliseconds time_out = std::chrono::seconds(5));
+/// The strategy of a program. Each of its players starts its own `/bin/sh -c COMMAND` at its first match. A player
+/// throws EnvironmentError, naming the command, when the program cannot be started, ends early, is silent for too long,
+/// answers what is no move or speaks unasked (found before the next question, or by Player::finish); start() then
+/// begins anew with a fresh program. Throws UsageError as check_call does.
+Strategy exec_strategy(ProgramCall call);
 
 }  // namespace folk

@@ -38,7 +38,7 @@ public:
     sigset_t signals;
     sigemptyset(&signals);
     ::posix_spawnattr_setsigmask(&attributes_, &signals);
-    sigaddset(&signals, SIGPIPE);
+    for (const int number : {SIGPIPE, SIGXFSZ}) sigaddset(&signals, number);
     ::posix_spawnattr_setsigdefault(&attributes_, &signals);
     ::posix_spawnattr_setpgroup(&attributes_, 0);
     const int own_group = group == ProcessGroup::own ? POSIX_SPAWN_SETPGROUP : 0;

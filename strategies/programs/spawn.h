@@ -26,8 +26,8 @@ enum class ProcessGroup { ours, own };
 /// Returns why it could not be started: std::errc::no_such_file_or_directory when there is no such program.
 ///
 /// Safe to use from many threads: nothing of ours runs between fork and exec. The program begins with no signal blocked
-/// and with the usual end by SIGPIPE, whatever the host set. Of our other descriptors it inherits those that are not
-/// close-on-exec. The streams may be any descriptors, 0, 1 and 2 in another order too.
+/// and with the usual end by SIGPIPE and SIGXFSZ, whatever the host set. Of our other descriptors it inherits those
+/// that are not close-on-exec. The streams may be any descriptors, 0, 1 and 2 in another order too.
 [[nodiscard]] std::error_code spawn(pid_t& id, const std::vector<std::string>& argv, const StandardStreams& streams,
                                     ProcessGroup group);
 

@@ -296,10 +296,16 @@ void add_forms(Registry& registry) {
           throw InputFileError(fmt::format("{}: no machine of that name ({})", path, item.substr(hash + 1)));
         return found;
       });
-  registry.add_prefix({"exec:\"CMD\"", {}, "a program that is asked for its moves on a pipe", "docs/exec-protocol.md"},
-                      "exec:", [](std::string_view item, const Payoffs&) {
-                        return std::vector<Strategy>{exec_strategy(unquoted(item))};
-                      });
+  for (const char* form : {":\"CMD\"", "(\"CMD\";...)"})
+    registry.add_prefix(
+        {fmt::format("exec{}", form),
+         {},
+         form[0] == ':' ? "a program that is asked for its moves on a pipe"
+                        : "the same with timeout=SECONDS, start=SECONDS, deterministic",
+         "docs/exec-protocol.md"},
+        fmt::format("exec{}", form[0]), [open = form[0]](std::string_view item, const Payoffs&) {
+          return std::vector<Strategy>{exec_strategy(parse_program_call(fmt::format("{}{}", open, item)))};
+        });
 }
 
 // ---- rosters and families ----

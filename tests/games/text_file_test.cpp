@@ -1,6 +1,7 @@
 #include <folk/games/text_file.h>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -45,17 +46,65 @@ TEST_F(TextFile, WritesAndReadsBytes) {
 }
 
 TEST_F(TextFile, TakesAwayWhatKilledWritersLeft) {
-  // No process has the largest number that a pid can hold; our own lives.
-  const std::string gone = "f.2147483647.0.tmp";
-  const std::string ours = "f." + std::to_string(::getpid()) + ".3.tmp";
+  const std::string gone = ".folk-0123456789abcdef.tmp";
+  const std::string written = ".folk-0123456789abcdee.tmp";  // by somebody who lives, in whatever container
   const std::vector<std::string> others{
-      ours, "f", "g.2147483647.0.tmp", "f.2147483647.tmp", "f.x.0.tmp", "f.2147483647.0.tmp2"};
+      written,    "f", ".folk-0123456789abcde.tmp", ".folk-0123456789abcdeF.tmp", ".folk-0123456789abcdef.tmp2",
+      "notes.tmp"};
   write_file(folder_ / gone, "half");
   for (const auto& name : others) write_file(folder_ / name, "whole");
-  remove_cut_off_writes(folder_ / "f");
+  const int writer = open((folder_ / written).c_str(), O_WRONLY | O_CLOEXEC);
+  ASSERT_EQ(flock(writer, LOCK_EX), 0);
+  remove_cut_off_writes(folder_);
   EXPECT_FALSE(fs::exists(folder_ / gone));
   for (const auto& name : others) EXPECT_TRUE(fs::exists(folder_ / name)) << name;
-  EXPECT_NO_THROW(remove_cut_off_writes(folder_ / "no such folder" / "f"));
+  close(writer);
+  remove_cut_off_writes(folder_);
+  EXPECT_FALSE(fs::exists(folder_ / written));
+  EXPECT_NO_THROW(remove_cut_off_writes(folder_ / "no such folder"));
+}
+
+TEST_F(TextFile, ANameMayBeAsLongAsTheSystemAllows) {
+  write_file(folder_ / std::string(255, 'n'), "x");
+  require_writable(folder_ / std::string(255, 'n'));
+  EXPECT_EQ(files(), 1U);
+}
+
+// The name that a writer takes for a while is laid by nobody else: a link there would show it another file.
+TEST_F(TextFile, NobodyLaysATemporaryFile) {
+  const fs::path mine = folder_ / "mine";
+  for (int i = 0; i < 20; ++i)
+    write_file(mine, [&](std::ostream& out) {
+      out << i;
+      EXPECT_LE(files(), 1U);  // it is made when its content is known
+    });
+  EXPECT_EQ(read_text_file(mine), "19");
+}
+
+TEST_F(TextFile, ReadsOrdinaryFilesAlone) {
+  write_file(folder_ / "f", "x");
+  EXPECT_EQ(read_ordinary_file(folder_ / "f", 10), "x");
+  ASSERT_EQ(mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+  expect_error<InputFileError>([&] { read_ordinary_file(folder_ / "pipe", 10); }, "pipe: is no ordinary file");
+  expect_error<InputFileError>([] { read_ordinary_file("/dev/zero", 10); }, "/dev/zero: is no ordinary file");
+}
+
+TEST_F(TextFile, SaysBeforeTheWorkWhatCannotBeWritten) {
+  const auto refused = [&](const fs::path& path, const std::string& why) {
+    expect_error<EnvironmentError>([&] { require_writable(path); }, "cannot be written: " + why);
+  };
+  refused("", "no name is given");
+  refused(folder_ / "", "it is a directory");
+  refused(folder_ / "new" / "", "it names no file");
+  refused(folder_ / ".", "it is a directory");
+  refused(folder_ / std::string(256, 'n'), "File name too long");
+  refused(folder_ / "none" / "f", "there is no such folder");
+  refused(folder_, "it is a directory");
+  fs::create_symlink("none/f", folder_ / "link");
+  refused(folder_ / "link", "there is no such folder");
+  require_writable("/dev/null");
+  require_writable(folder_ / "new");
+  EXPECT_EQ(files(), 1U);
 }
 
 TEST_F(TextFile, ReadsMoreThanABlock) {
@@ -149,6 +198,10 @@ TEST_F(TextFile, KeepsLinksAndPermissions) {
   write_file(folder_ / "link", "new");
   EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
   EXPECT_EQ(read_text_file(folder_ / "real"), "new");
+  fs::create_symlink("made", folder_ / "dangling");
+  write_file(folder_ / "dangling", "new");
+  EXPECT_TRUE(fs::is_symlink(folder_ / "dangling"));
+  EXPECT_EQ(read_text_file(folder_ / "made"), "new");
   EXPECT_EQ(fs::status(folder_ / "real").permissions(), fs::perms::owner_read | fs::perms::owner_write);
 }
 

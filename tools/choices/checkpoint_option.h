@@ -21,8 +21,7 @@ inline void add_checkpoint_options(po::options_description& options) {
 /// The folder of --checkpoint, or null; its checkpoints and --resume must go together. `Folder` is a
 /// sct::CheckpointFiles.
 template <class Folder>
-std::unique_ptr<Folder> checkpoint_folder(const po::variables_map& values, const Common& common,
-                                          std::string_view program) {
+std::unique_ptr<Folder> checkpoint_folder(const po::variables_map& values, const Common& common) {
   const bool resume = values.count("resume") != 0;
   if (values.count("checkpoint") == 0) {
     if (resume) throw UsageError("--resume needs the folder of the checkpoints: give --checkpoint DIR");
@@ -35,8 +34,8 @@ std::unique_ptr<Folder> checkpoint_folder(const po::variables_map& values, const
         fmt::format("--checkpoint {}: it holds {} of an earlier run: give --resume to go on with it, or "
                     "name another folder",
                     excerpt(folder->path().string(), 1000), found.back().filename().string()));
-  if (found.empty() && resume && !common.quiet)
-    say(program, fmt::format("no checkpoint in {} yet: beginning with step 1", folder->path().string()));
+  if (found.empty() && resume)
+    common.note(fmt::format("no checkpoint in {} yet: beginning with step 1", folder->path().string()));
   return folder;
 }
 

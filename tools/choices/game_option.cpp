@@ -25,9 +25,9 @@ ChosenGame chosen_game(const po::variables_map& values) {
   return chosen;
 }
 
-void note_unusual_payoffs(std::string_view program, const ChosenGame& game, const Common& common) {
-  if (common.quiet || game.from_file) return;
-  if (const auto warning = dilemma_warning(game.payoffs)) say(program, "note: " + *warning);
+void note_unusual_payoffs(const ChosenGame& game, const Common& common) {
+  if (game.from_file) return;
+  if (const auto warning = dilemma_warning(game.payoffs)) common.note("note: " + *warning);
 }
 
 }  // namespace folk::tools

@@ -24,6 +24,6 @@ void add_game_options(po::options_description& options);
 ChosenGame chosen_game(const po::variables_map& values);
 
 /// Says on stderr where a dilemma from --payoffs rewards taking turns to defect.
-void note_unusual_payoffs(std::string_view program, const ChosenGame& game, const Common& common);
+void note_unusual_payoffs(const ChosenGame& game, const Common& common);
 
 }  // namespace folk::tools

@@ -73,7 +73,7 @@ int match(const po::variables_map& values, const Common& common) {
   const MatchSettings settings = settings_of(values);
   Sheet sheet = sheet_of_stdout();
   sheet.width = whole_option(values, "width", sheet.width, 20, 100'000);
-  note_unusual_payoffs("ipd-match", settings.game, common);
+  note_unusual_payoffs(settings.game, common);
   const MatchRecord record = [&] {
     ProgressBar progress("playing", !common.quiet);
     return play_one(settings, std::ref(progress));

@@ -7,6 +7,7 @@
 #include <folk/tools/program/csv.h>
 #include <folk/tools/program/progress.h>
 #include <folk/tools/program/table.h>
+#include <folk/tools/program/threads_option.h>
 
 #include <fmt/format.h>
 #include <folk/analysis/replies/best_reply.h>
@@ -20,7 +21,6 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <thread>
 #include <vector>
 
 namespace folk::tools {
@@ -52,12 +52,12 @@ struct Question {
   }
 };
 
-Question question(const std::string& opponents, const Payoffs& payoffs, const po::variables_map& values) {
+Question question(const std::string& opponents, const Payoffs& payoffs, const po::variables_map& values,
+                  const Common& common) {
   Question asked{opponents, {payoffs, chosen_criterion(values)}};
   asked.rules.noise = parse_number(text_option(values, "noise", "0"), "--noise", 0, 1);
   asked.horizon = static_cast<unsigned>(whole_option(values, "horizon", 0, 1, 10'000));
-  asked.threads =
-      static_cast<unsigned>(whole_option(values, "threads", std::max(1U, std::thread::hardware_concurrency()), 1, 256));
+  asked.threads = threads_option(values, common);
   return asked;
 }
 
@@ -236,7 +236,7 @@ void add_reply_options(po::options_description& options) {
 }
 
 int reply(const std::string& opponents, const Payoffs& payoffs, const po::variables_map& values, const Common& common) {
-  const Question asked = question(opponents, payoffs, values);
+  const Question asked = question(opponents, payoffs, values, common);
   if (values.count("memory-one") == 0) return reply_exactly(asked, common);
   if (asked.horizon > 0) throw UsageError("--horizon does not go with --memory-one: take finite:T");
   return reply_memory_one(asked, common);

@@ -9,6 +9,7 @@
 #include <folk/tools/program/output_folder.h>
 #include <folk/tools/program/program.h>
 #include <folk/tools/program/progress.h>
+#include <folk/tools/program/threads_option.h>
 
 #include <fmt/format.h>
 #include <folk/analysis/pictures/plots.h>
@@ -19,7 +20,6 @@
 #include <functional>
 #include <iostream>
 #include <optional>
-#include <thread>
 
 namespace folk::tools {
 namespace {
@@ -50,7 +50,10 @@ Program program() {
   add("repetitions", text(), "matches of a pair that can only be sampled (default 100)");
   add("seed", text(), "of all random numbers (default 1)");
   add("threads", text(), "threads (default: one a processor); the results do not depend on it");
-  add("output", text(), "folder for ranking.csv, scores.csv, cooperation.csv, beliefs.csv, summary.json");
+  add("output", text(),
+      "folder for ranking.csv, scores.csv, cooperation.csv, pairs.csv, summary.json, and beliefs.csv, invasion.csv "
+      "where "
+      "there are any");
   add("plot", text()->implicit_value("svg"), "svg or png: also draw payoffs, cooperation and scores into --output");
   return program;
 }
@@ -100,14 +103,13 @@ int tournament(const po::variables_map& values, const Common& common) {
   settings.self_play = values.count("no-self-play") == 0;
   settings.repetitions = whole_option(values, "repetitions", 100, 1, 10'000'000);
   settings.seed = whole_option(values, "seed", 1, 0, ~std::uint64_t{0});
-  settings.threads =
-      static_cast<unsigned>(whole_option(values, "threads", std::max(1U, std::thread::hardware_concurrency()), 1, 256));
+  settings.threads = threads_option(values, common);
   if (values.count("invasion") != 0 && !settings.self_play)
     throw UsageError("--invasion needs what each earns against its own copy: leave out --no-self-play");
   auto [entrants, core] = field_of(values, game.payoffs);
   const auto extension = picture_extension(values, entrants.size());
   const auto folder = output_folder(values);
-  note_unusual_payoffs("ipd-tournament", game, common);
+  note_unusual_payoffs(game, common);
 
   std::optional<ProgressBar> bar(std::in_place, fmt::format("playing {} strategies", entrants.size()), !common.quiet);
   const Tournament result = play_tournament(std::move(entrants), core, settings, std::ref(*bar));

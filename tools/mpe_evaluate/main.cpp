@@ -10,6 +10,7 @@
 #include <folk/tools/program/output_folder.h>
 #include <folk/tools/program/program.h>
 #include <folk/tools/program/progress.h>
+#include <folk/tools/program/threads_option.h>
 
 #include <fmt/format.h>
 #include <folk/games/criterion.h>
@@ -23,7 +24,6 @@
 #include <iostream>
 #include <optional>
 #include <system_error>
-#include <thread>
 
 namespace folk::tools {
 namespace {
@@ -130,15 +130,14 @@ std::vector<double> targets_of(const std::string& text) {
   return targets;
 }
 
-EvaluationSettings settings_of(const po::variables_map& values) {
+EvaluationSettings settings_of(const po::variables_map& values, const Common& common) {
   EvaluationSettings settings;
   settings.scenario = chosen_scenario(values);
   settings.predators = text_option(values, "predators");
   settings.preys = mpe::split_names(text_option(values, "prey", "released"));
   settings.plan.seed = whole_option(values, "seed", 1, 0, ~std::uint64_t{0});
   settings.plan.episodes = whole_option(values, "episodes", 100, 1, most_episodes);
-  settings.plan.threads =
-      static_cast<unsigned>(whole_option(values, "threads", std::max(1U, std::thread::hardware_concurrency()), 1, 256));
+  settings.plan.threads = threads_option(values, common);
   settings.data = data_folder() / "mpe";
   if (values.count("numpy-seed") != 0) {
     settings.numpy_seed = static_cast<std::uint32_t>(whole_option(values, "numpy-seed", 0, 0, 0xFFFF'FFFF));
@@ -224,7 +223,7 @@ int evaluate_players(const po::variables_map& values, const Common& common) {
     throw UsageError(
         "--predators is missing: name a player (lead_pursuit, random, expert, ...), a policy FILE or "
         "exec:\"COMMAND\"; or give --replay FILE.csv");
-  const EvaluationSettings settings = settings_of(values);
+  const EvaluationSettings settings = settings_of(values, common);
   const CloseLook look = close_look(values, settings);
   try_output_folder(values);
   Evaluation evaluation = [&] {

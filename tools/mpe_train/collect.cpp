@@ -6,6 +6,7 @@
 #include <folk/tools/program/interruption.h>
 #include <folk/tools/program/program.h>
 #include <folk/tools/program/progress.h>
+#include <folk/tools/program/threads_option.h>
 
 #include <fmt/format.h>
 #include <folk/games/criterion.h>
@@ -18,7 +19,6 @@
 #include <functional>
 #include <iostream>
 #include <string>
-#include <thread>
 
 namespace folk::tools {
 namespace {
@@ -120,8 +120,7 @@ int collect(const po::variables_map& values, const Common& common) {
   const mpe::Scenario& scenario = layout.scenario();
   auto description = description_of(values, scenario);
   mpe::CollectRules rules;
-  rules.threads =
-      static_cast<unsigned>(whole_option(values, "threads", std::max(1U, std::thread::hardware_concurrency()), 1, 256));
+  rules.threads = threads_option(values, common);
   rules.resume = values.count("resume") != 0;
   const auto data = data_folder() / "mpe";
   mpe::Cast cast{controller(predators_of(values, description.seed), mpe::Side::predators, scenario, data),
@@ -131,10 +130,10 @@ int collect(const po::variables_map& values, const Common& common) {
   cast.predators = noisy(std::move(cast.predators), description.noise);
 
   const auto collection = collected(layout, cast, description, folder, rules, common);
-  if (!common.quiet && collection.end == mpe::Collection::End::was_there)
-    say(collect_name, fmt::format("{}: this very data set is there already", excerpt(folder, 1000)));
-  else if (!common.quiet && rules.resume)
-    say(collect_name, fmt::format("{} of {} episodes were there already", collection.kept, description.episodes));
+  if (collection.end == mpe::Collection::End::was_there)
+    common.note(fmt::format("{}: this very data set is there already", excerpt(folder, 1000)));
+  else if (rules.resume)
+    common.note(fmt::format("{} of {} episodes were there already", collection.kept, description.episodes));
   const auto report = data_report(folder, scenario, collection.record);
   if (common.format == Format::json)
     write_json(std::cout, report);

@@ -2,13 +2,13 @@
 
 #include <folk/tools/mpe_train/data_output.h>
 #include <folk/tools/program/program.h>
+#include <folk/tools/program/threads_option.h>
 
 #include <folk/games/error.h>
 #include <folk/mpe/data/data_figures.h>
 
 #include <algorithm>
 #include <iostream>
-#include <thread>
 
 namespace folk::tools {
 namespace {
@@ -35,8 +35,7 @@ int inspect(const po::variables_map& values, const Common& common) {
   mpe::DataSetRules rules;
   if (values.count("scenario") != 0) rules.scenario = mpe::Scenario::named(text_option(values, "scenario")).name;
   rules.any_episode_length = values.count("any-length") != 0;
-  rules.threads =
-      static_cast<unsigned>(whole_option(values, "threads", std::max(1U, std::thread::hardware_concurrency()), 1, 256));
+  rules.threads = threads_option(values, common);
   const auto data = mpe::DataSet::open(text_option(values, "folder"), rules);
   const auto figures = mpe::data_figures(data, rules.threads);
   require_recorded(data, figures);

@@ -5,6 +5,7 @@
 #include <folk/tools/program/output_file.h>
 #include <folk/tools/program/progress.h>
 #include <folk/tools/program/table.h>
+#include <folk/tools/program/threads_option.h>
 
 #include <fmt/format.h>
 #include <folk/games/criterion.h>
@@ -20,7 +21,6 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <system_error>
-#include <thread>
 
 namespace folk::tools {
 namespace {
@@ -83,15 +83,14 @@ sct::Readout parse_readout(const std::string& text) {
   throw UsageError(fmt::format("--readout '{}': expected cat, add or token", excerpt(text)));
 }
 
-LearnerChoice choice_of(const po::variables_map& values) {
+LearnerChoice choice_of(const po::variables_map& values, const Common& common) {
   if (values.count("learner") == 0)
     throw UsageError("which learner? Give --learner bc, ma-bcq, omar, cql, madt, rmadt or sct");
   LearnerChoice choice;
   choice.kind = mpe::parse_learner(text_option(values, "learner"));
   choice.budget = mpe::parse_budget(text_option(values, "budget", "small"));
   choice.seed = whole_option(values, "seed", 1, 0, ~std::uint64_t{0});
-  choice.threads =
-      static_cast<unsigned>(whole_option(values, "threads", std::max(1U, std::thread::hardware_concurrency()), 1, 256));
+  choice.threads = threads_option(values, common);
   if (values.count("level") != 0) {
     choice.level = text_option(values, "level");
     if (choice.level != "random" && choice.level != "medium-replay" && choice.level != "medium" &&
@@ -202,11 +201,8 @@ void write_json(std::ostream& out, const OfflineTraining& training, const std::m
 
 void train(OfflineTraining& training, const mpe::TrainingWatch& rules, const Common& common) {
   mpe::TrainingWatch watch = rules;
-  watch.note = [&](const std::string& fault) {
-    if (!common.quiet) say(offline_name, fmt::format("note: {}; the one before is taken", fault));
-  };
-  if (mpe::resume(training, watch) && !common.quiet)
-    say(offline_name, fmt::format("resumed at step {}", training.steps()));
+  watch.note = [&](const std::string& fault) { common.note(fmt::format("note: {}; the one before is taken", fault)); };
+  if (mpe::resume(training, watch)) common.note(fmt::format("resumed at step {}", training.steps()));
   const Interruption interruption;
   ProgressBar bar("training", !common.quiet);
   try {
@@ -221,7 +217,7 @@ void train(OfflineTraining& training, const mpe::TrainingWatch& rules, const Com
 }
 
 int offline(const po::variables_map& values, const Common& common) {
-  const auto choice = choice_of(values);
+  const auto choice = choice_of(values, common);
   if (text_option(values, "data").empty())
     throw UsageError("from which data? Give --data DIR; mpe-train collect makes one");
   const auto files = files_of(values);
@@ -234,7 +230,7 @@ int offline(const po::variables_map& values, const Common& common) {
   require_readable(learner->policy({}).size());
   const auto description = mpe::run_description(data, choice, *learner);
   OfflineTraining training(std::move(learner), description, mpe::learner_steps(data, choice));
-  const auto folder = checkpoint_folder<sct::CheckpointFiles>(values, common, offline_name);
+  const auto folder = checkpoint_folder<sct::CheckpointFiles>(values, common);
   mpe::TrainingWatch watch;
   watch.folder = folder.get();
   watch.checkpoint_every = checkpoint_every;

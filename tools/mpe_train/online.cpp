@@ -8,6 +8,7 @@
 #include <folk/tools/program/interruption.h>
 #include <folk/tools/program/output_file.h>
 #include <folk/tools/program/progress.h>
+#include <folk/tools/program/threads_option.h>
 
 #include <fmt/format.h>
 #include <folk/analysis/pictures/gnuplot_script.h>
@@ -23,7 +24,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <thread>
 #include <utility>
 
 namespace folk::tools {
@@ -143,14 +143,14 @@ public:
   void resume() {
     if (folder_ == nullptr) return;
     const auto note = [&](const std::string& fault) {
-      if (!common_.quiet) say(online_name, fmt::format("note: {}; the one before is taken", fault));
+      common_.note(fmt::format("note: {}; the one before is taken", fault));
     };
     const bool found =
         folder_->read_newest([&](std::string_view bytes,
                                  const std::string& source) { mpe::restore(training_, bytes, source, description_); },
                              note);
     saved_ = training_.episodes();
-    if (found && !common_.quiet) say(online_name, fmt::format("resumed at episode {}", training_.episodes()));
+    if (found) common_.note(fmt::format("resumed at episode {}", training_.episodes()));
   }
 
   void train() {
@@ -212,8 +212,7 @@ mpe::Policy noted(const OnlineTraining& training, std::size_t evaluation, Side s
 int online(const po::variables_map& values, const Common& common) {
   const auto scenario = chosen_scenario(values);
   auto settings = online_settings(values);
-  settings.threads =
-      static_cast<unsigned>(whole_option(values, "threads", std::max(1U, std::thread::hardware_concurrency()), 1, 256));
+  settings.threads = threads_option(values, common);
   const auto spec = text_option(values, "prey", "released");
   settings.prey_learns = spec == "learn";
   const auto files = files_of(values, settings.prey_learns);
@@ -222,7 +221,7 @@ int online(const po::variables_map& values, const Common& common) {
   OnlineTraining training(scenario, settings, prey);
   const auto text = mpe::description(training, described_prey(prey));
   const auto checkpoint_every = whole_option(values, "checkpoint-every", 6400, 1, 1'000'000'000);
-  const auto folder = checkpoint_folder<sct::CheckpointFiles>(values, common, online_name);
+  const auto folder = checkpoint_folder<sct::CheckpointFiles>(values, common);
 
   OnlineRun one(training, files, folder.get(), text, checkpoint_every, common);
   one.resume();
@@ -243,9 +242,8 @@ int online(const po::variables_map& values, const Common& common) {
   if (files.draws) {
     draw_evaluations(training, report.kept, files.picture);
     report.picture = files.picture;
-  } else if (!common.quiet) {
-    say(online_name,
-        "note: no picture of the evaluations is drawn, gnuplot is not installed: apt-get install gnuplot-nox");
+  } else {
+    common.note("note: no picture of the evaluations is drawn, gnuplot is not installed: apt-get install gnuplot-nox");
   }
   write_report(std::cout, report, common.format);
   return done;

@@ -6,6 +6,7 @@
 #include <folk/tools/program/program.h>
 #include <folk/tools/program/progress.h>
 #include <folk/tools/program/table.h>
+#include <folk/tools/program/threads_option.h>
 
 #include <fmt/format.h>
 #include <folk/games/error.h>
@@ -19,7 +20,6 @@
 #include <iostream>
 #include <map>
 #include <system_error>
-#include <thread>
 
 namespace folk::tools {
 namespace {
@@ -179,8 +179,7 @@ int study(const po::variables_map& values, const Common& common) {
   }
   const auto jobs = mpe::study_jobs(settings, only);
   if (jobs.empty()) throw UsageError("--only: no job has all of these; see --status for those there are");
-  const auto threads =
-      static_cast<unsigned>(whole_option(values, "threads", std::max(1U, std::thread::hardware_concurrency()), 1, 256));
+  const auto threads = threads_option(values, common);
   const fs::path players = data_folder() / "mpe";
   const auto paper = mpe::read_paper_tables(players);
   auto records = mpe::read_records(root, settings, players);

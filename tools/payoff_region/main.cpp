@@ -7,6 +7,7 @@
 #include <folk/tools/payoff_region/output.h>
 #include <folk/tools/program/program.h>
 #include <folk/tools/program/progress.h>
+#include <folk/tools/program/threads_option.h>
 
 #include <fmt/format.h>
 #include <folk/analysis/pictures/gnuplot_script.h>
@@ -19,7 +20,6 @@
 #include <functional>
 #include <iostream>
 #include <optional>
-#include <thread>
 
 namespace folk::tools {
 namespace {
@@ -59,7 +59,7 @@ Program program() {
 std::pair<StageGame, std::string> any_game(const po::variables_map& values, const Common& common) {
   if (values.count("game") == 0) {
     const ChosenGame chosen = chosen_game(values);
-    note_unusual_payoffs("payoff-region", chosen, common);
+    note_unusual_payoffs(chosen, common);
     return {stage_game(chosen.payoffs), fmt::format("{} ({})", chosen.title, to_text(chosen.payoffs))};
   }
   if (values.count("payoffs") != 0) throw UsageError("--game and --payoffs contradict: give one of them");
@@ -110,8 +110,7 @@ std::optional<RegionTournament> chosen_tournament(const po::variables_map& value
   settings.criterion = chosen_criterion(values);
   settings.noise = values.count("noise") == 0 ? 0 : parse_number(text_option(values, "noise"), "--noise", 0, 1);
   settings.seed = whole_option(values, "seed", 1, 0, ~std::uint64_t{0});
-  settings.threads =
-      static_cast<unsigned>(whole_option(values, "threads", std::max(1U, std::thread::hardware_concurrency()), 1, 256));
+  settings.threads = threads_option(values, common);
   auto entrants = entrants_of(values, settings.payoffs);
   ProgressBar bar(fmt::format("playing {} strategies", entrants.size()), !common.quiet);
   const Tournament tournament = play_tournament(std::move(entrants), settings, std::ref(bar));

@@ -1,7 +1,10 @@
 #include <folk/tools/program/program.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <folk/games/error.h>
+#include <folk/strategies/names.h>
+#include <folk/strategies/nearest_names.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -14,6 +17,10 @@
 #include <limits>
 #include <new>
 #include <sstream>
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 namespace folk::tools {
 namespace {
@@ -70,6 +77,31 @@ po::variables_map parse(int argc, char** argv, const Program& program) {
   return values;
 }
 
+/// A file that took the place of a standard stream that is closed would get what is meant for the stream.
+void open_standard_streams() {
+  for (int number = 0; number < 3; ++number)
+    if (::fcntl(number, F_GETFD) < 0) {
+      const int opened = ::open("/dev/null", number == 0 ? O_WRONLY : O_RDONLY);  // as before, it fails to be used
+      if (opened >= 0 && opened != number) ::close(opened);
+    }
+}
+
+/// What an option that there is not may have been meant for.
+std::string meant(const std::string& given, const po::options_description& options) {
+  std::vector<NameCandidate> candidates;
+  for (const auto& option : options.options())
+    candidates.push_back({name_key(option->long_name()), "--" + option->long_name()});
+  const auto names = nearest_names(given, candidates);
+  return names.empty() ? std::string() : fmt::format(": did you mean {}?", fmt::join(names, ", "));
+}
+
+/// Programs die without a word where it ends.
+bool stack_is_large_enough() {
+  constexpr rlim_t least = rlim_t{512} << 10U;
+  rlimit limit{};
+  return ::getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur >= least;
+}
+
 Format format_named(const std::string& name) {
   if (name == "csv") return Format::csv;
   if (name == "json") return Format::json;
@@ -88,6 +120,7 @@ int run_parsed(const Program& program, const po::variables_map& values, const st
   }
   Common common;
   common.quiet = values.count("quiet") != 0;
+  common.program = program.name;
   if (!formats.empty()) {
     const auto name = values["format"].as<std::string>();
     if (std::find(formats.begin(), formats.end(), name) == formats.end())
@@ -101,8 +134,11 @@ int run_parsed(const Program& program, const po::variables_map& values, const st
 
 int run(int argc, char** argv, Program program, const std::vector<std::string>& formats,
         const std::function<int(const po::variables_map&, const Common&)>& body) {
-  // A reader that goes away (| head) or a dead player shows as a failed write, not as a signal.
-  std::signal(SIGPIPE, SIG_IGN);
+  // A reader that goes away (| head), a dead player, a limit of file sizes show as a failed write, not as a signal.
+  for (const int number : {SIGPIPE, SIGXFSZ}) std::signal(number, SIG_IGN);
+  open_standard_streams();
+  if (!stack_is_large_enough())
+    return complain(program, "the limit of the stack is too low to work with; raise it: ulimit -s 1024", failed);
   std::ios::sync_with_stdio(false);
   try {
     auto add = program.options.add_options();
@@ -111,13 +147,18 @@ int run(int argc, char** argv, Program program, const std::vector<std::string>& 
       add("format", po::value<std::string>()->default_value(formats.front()), text.c_str());
     }
     add("quiet", "no banner, no progress, no warnings on stderr");
-    add("help", "this text");
-    add("version", "version and build");
+    add("help,h", "this text");
+    add("version,V", "version and build");
     const int code = run_parsed(program, parse(argc, argv, program), formats, body);
     std::cout.flush();
     if (const int reason = errno; !std::cout && reason != EPIPE)
       return complain(program, fmt::format("standard output cannot be written: {}", std::strerror(reason)), failed);
     return code;
+  } catch (const po::unknown_option& error) {
+    return complain(
+        program,
+        fmt::format("{}{}; see {} --help", error.what(), meant(error.get_option_name(), program.options), program.name),
+        wrong_usage);
   } catch (const po::error& error) {
     return complain(program, fmt::format("{}; see {} --help", error.what(), program.name), wrong_usage);
   } catch (const UsageError& error) {
@@ -129,6 +170,10 @@ int run(int argc, char** argv, Program program, const std::vector<std::string>& 
   } catch (const std::exception& error) {
     return complain(program, error.what(), failed);
   }
+}
+
+void Common::note(std::string_view message) const {
+  if (!quiet) say(program, message);
 }
 
 void say(std::string_view program, std::string_view message) {

@@ -30,6 +30,10 @@ enum class Format { text, csv, json };
 struct Common {
   Format format = Format::text;
   bool quiet = false;
+  std::string program{};  ///< its name
+
+  /// A line on stderr, the program's name first, unless --quiet is given.
+  void note(std::string_view message) const;
 };
 
 /// Exit codes: done; a claim that was to be checked does not hold (for programs that check one); wrong usage; bad input

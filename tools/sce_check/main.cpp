@@ -29,10 +29,10 @@ Program sce_check() {
 }
 
 int check(const po::variables_map& values, const Common& common) {
-  const SceQuestion question = sce_question(values);
-  note_unusual_payoffs("sce-check", question.game, common);
-  if (!flint_available() && !common.quiet)
-    say("sce-check", "note: this build has no threshold discount factors, for want of FLINT (libflint-dev)");
+  const SceQuestion question = sce_question(values, common);
+  note_unusual_payoffs(question.game, common);
+  if (!flint_available())
+    common.note("note: this build has no threshold discount factors, for want of FLINT (libflint-dev)");
   const SceReport report = examine(question, [&](const std::string& stage) {
     return [bar = std::make_shared<ProgressBar>(stage, !common.quiet)](double share) { (*bar)(share); };
   });

@@ -5,13 +5,14 @@
 #include <folk/tools/choices/policy_names.h>
 #include <folk/tools/choices/standard_names.h>
 #include <folk/tools/program/output_folder.h>
+#include <folk/tools/program/threads_option.h>
 
 #include <fmt/format.h>
 #include <folk/games/error.h>
+#include <folk/strategies/programs/program_rules.h>
 
 #include <algorithm>
 #include <system_error>
-#include <thread>
 #include <utility>
 
 namespace folk::tools {
@@ -21,7 +22,7 @@ namespace fs = std::filesystem;
 
 /// A file rather than a name: it looks like a path, or there is such a file and no such strategy.
 bool is_file_name(const Registry& registry, const std::string& name) {
-  if (name.starts_with("@") || name.starts_with("exec:")) return false;
+  if (name.starts_with("@") || names_a_program(name)) return false;
   if (name.find('/') != std::string::npos || name.ends_with(".bin") || name.ends_with(".safetensors")) return true;
   std::error_code error;
   if (!fs::is_regular_file(name, error)) return false;
@@ -89,7 +90,7 @@ void add_sce_options(Program& program) {
   program.positional.add("name", 2);
 }
 
-SceQuestion sce_question(const po::variables_map& values) {
+SceQuestion sce_question(const po::variables_map& values, const Common& common) {
   const auto names =
       values.count("name") != 0 ? values["name"].as<std::vector<std::string>>() : std::vector<std::string>{};
   if (names.empty()) throw UsageError("no policy named: try sce-check sct, or sce-check pavlov pavlov");
@@ -148,8 +149,7 @@ SceQuestion sce_question(const po::variables_map& values) {
     throw UsageError(fmt::format("--require beliefs: {} is a machine and holds none", question.policy.name));
   question.repetitions = whole_option(values, "repetitions", 100, 1, 1'000'000);
   question.seed = whole_option(values, "seed", 1, 0, ~std::uint64_t{0});
-  question.threads =
-      static_cast<unsigned>(whole_option(values, "threads", std::max(1U, std::thread::hardware_concurrency()), 1, 256));
+  question.threads = threads_option(values, common);
   question.output = output_folder(values);
   return question;
 }

@@ -28,6 +28,6 @@ struct SceQuestion : ExaminationQuestion {
 void add_sce_options(Program& program);
 
 /// Throws UsageError, InputFileError; makes the output folder.
-SceQuestion sce_question(const po::variables_map& values);
+SceQuestion sce_question(const po::variables_map& values, const Common& common);
 
 }  // namespace folk::tools

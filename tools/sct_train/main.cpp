@@ -5,6 +5,7 @@
 #include <folk/tools/program/interruption.h>
 #include <folk/tools/program/output_file.h>
 #include <folk/tools/program/program.h>
+#include <folk/tools/program/threads_option.h>
 #include <folk/tools/sct_train/config.h>
 #include <folk/tools/sct_train/data.h>
 #include <folk/tools/sct_train/output.h>
@@ -21,7 +22,6 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <thread>
 #include <utility>
 
 namespace folk::tools {
@@ -83,12 +83,11 @@ sct::TrainingRecord record_of(const TrainConfig& config, const sct::TrainingSett
 }
 
 void resume(sct::TrainingRun& run, const sct::CheckpointFolder& folder, const Common& common) {
-  auto checkpoint = folder.newest([&](const std::string& fault) {
-    if (!common.quiet) say(name, fmt::format("note: {}; the one before is taken", fault));
-  });
+  auto checkpoint = folder.newest(
+      [&](const std::string& fault) { common.note(fmt::format("note: {}; the one before is taken", fault)); });
   if (!checkpoint) return;
   run.restore(std::move(*checkpoint));
-  if (!common.quiet) say(name, fmt::format("resumed at step {}", run.steps()));
+  common.note(fmt::format("resumed at step {}", run.steps()));
 }
 
 [[noreturn]] void interrupted(const sct::TrainingRun& run, const sct::CheckpointFolder* folder) {
@@ -128,8 +127,7 @@ void train(sct::TrainingRun& run, sct::CheckpointFolder* folder, std::uint64_t c
 
 int sct_train(const po::variables_map& values, const Common& common) {
   auto config = train_config(values, text_option(values, "config"));
-  const auto threads =
-      static_cast<unsigned>(whole_option(values, "threads", std::max(1U, std::thread::hardware_concurrency()), 1, 256));
+  const auto threads = threads_option(values, common);
   const fs::path output = text_option(values, "output", "policy.bin");
   require_writable(output, "--output");
   const auto roster = standard_names().roster(config.roster, config.payoffs);
@@ -141,7 +139,7 @@ int sct_train(const po::variables_map& values, const Common& common) {
   TrainReport report;
   report.lessons = data.lessons.size();
   sct::TrainingRun run(run_plan, settings, std::move(data.lessons), roster, record_of(config, settings), data.teacher);
-  const auto folder = checkpoint_folder<sct::CheckpointFolder>(values, common, name);
+  const auto folder = checkpoint_folder<sct::CheckpointFolder>(values, common);
   if (folder) resume(run, *folder, common);
   {
     const Interruption interruption;

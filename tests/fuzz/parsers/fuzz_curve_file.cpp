@@ -11,6 +11,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using namespace folk::mpe;
     const LearningCurve curve = parse_curve(bytes, "fuzz.csv", "return");
     folk::fuzz::require(curve.episodes.size() == curve.returns.size() && !curve.episodes.empty());
-    learning_curve_script({"fuzz", "return", {curve}, {}}, folk::PictureFormat::svg, "fuzz.svg");
+    learning_curve_script({"fuzz", "return", {curve}, {}}, folk::PictureFormat::svg);
   });
 }

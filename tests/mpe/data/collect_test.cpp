@@ -204,10 +204,10 @@ void damage(const std::filesystem::path& path, std::streamoff place) {
 TEST(Collect, RowsThatDidNotReachTheDiskArePlayedAgain) {
   const Folder folder;
   collect_blocks(2, tag_description(), folder / "set");
-  damage(folder / "set.partial/obs_2.npy", 128 + 5 * 25 * 16 * 4 + 100);  // of episode 5
-  damage(folder / "set.partial/dones_3.npy", 128 + 70 * 25 * 4);          // of episode 70
-  damage(folder / "set.partial/journal", 100 * 8);                        // the word of episode 100
-  write_file(folder / "set.partial/metadata.json.12.0.tmp", "cut off");   // as kill -9 may leave it
+  damage(folder / "set.partial/obs_2.npy", 128 + 5 * 25 * 16 * 4 + 100);     // of episode 5
+  damage(folder / "set.partial/dones_3.npy", 128 + 70 * 25 * 4);             // of episode 70
+  damage(folder / "set.partial/journal", 100 * 8);                           // the word of episode 100
+  write_file(folder / "set.partial/.folk-0123456789abcdef.tmp", "cut off");  // as kill -9 may leave it
   const auto collection = collect(tag(), pursuit_cast(), tag_description(), folder / "set", resuming());
   EXPECT_EQ(collection.kept, 125U);
   EXPECT_TRUE(read_folder(folder / "set") == whole());

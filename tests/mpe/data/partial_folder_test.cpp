@@ -31,9 +31,9 @@ TEST(PartialFolder, KeepsWhatAnEarlierRunLeft) {
   {
     const PartialFolder partial(folder / "out");
     write_file(partial.path() / "a", "1");
-    write_file(partial.path() / "b.4711.0.tmp", "cut off");
+    write_file(partial.path() / ".folk-0123456789abcdef.tmp", "cut off");
   }
-  EXPECT_EQ(folder.names("out.partial"), (Names{"a", "b.4711.0.tmp", "lock"}));
+  EXPECT_EQ(folder.names("out.partial"), (Names{".folk-0123456789abcdef.tmp", "a", "lock"}));
   PartialFolder partial(folder / "out");
   EXPECT_EQ(folder.names("out.partial"), (Names{"a", "lock"}));
   partial.clear();

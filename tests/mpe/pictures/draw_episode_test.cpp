@@ -115,15 +115,6 @@ TEST_F(DrawEpisode, PngNeedsGnuplot) {
   EXPECT_EQ(files(), 0U);
 }
 
-TEST_F(DrawEpisode, PngRefusesAPathThatGnuplotCannotHoldBeforeItPlays) {
-  try {
-    require_drawable(folder_ / "a.png");
-  } catch (const RendererMissing&) {
-    GTEST_SKIP() << "gnuplot is not installed";
-  }
-  expect_error<UsageError>([&] { require_drawable(folder_ / "a\nb.png"); }, "control character");
-}
-
 TEST_F(DrawEpisode, AFailureLeavesTheOldPicture) {
   EpisodeRecord bad = sample_episode();
   bad.rows[1].state.positions[0].x = NAN;

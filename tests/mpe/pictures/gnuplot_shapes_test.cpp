@@ -13,13 +13,12 @@ namespace {
 using test::count;
 
 std::string script(std::vector<Shape> shapes) {
-  return gnuplot_script({200, 100, std::move(shapes)}, PictureFormat::png, "/x/a.png");
+  return gnuplot_script({200, 100, std::move(shapes)}, PictureFormat::png);
 }
 
 TEST(GnuplotShapes, TheAxesAreThePicturesPixels) {
   const std::string text = script({Circle{{1, 2}, 3, Paint{"#ff0000"}, {}, 1}});
   EXPECT_EQ(count(text, "set xrange [0:200]\nset yrange [100:0]\n"), 1U);
-  EXPECT_EQ(count(text, "set output '/x/a.png'\n"), 1U);
   EXPECT_EQ(count(text, "size 400,200 "), 1U);  // two pixels for one
 }
 
@@ -51,14 +50,6 @@ TEST(GnuplotShapes, TextIsNoCode) {
                   "'#222222'\n"),
             1U)
       << text;
-}
-
-TEST(GnuplotShapes, RefusesAPathThatAScriptCannotHold) {
-  test::expect_error<UsageError>(
-      [] {
-        gnuplot_script({10, 10, {}}, PictureFormat::png, "a\nb.png");
-      },
-      "control character");
 }
 
 }  // namespace

@@ -29,6 +29,9 @@ const Layout& exec_layout(const std::string& scenario = "simple_tag") {
   return scenario == "simple_tag" ? tag : world;
 }
 
+/// As it is named in a list of players.
+Controller named(const std::string& command) { return exec_controller(parse_program_call(":" + command)); }
+
 /// A shell program that does `act` when it is asked and ends at the end.
 std::string program(const std::string& act) {
   return "while read -r what rest; do case $what in act) " + act + ";; end) exit 0;; esac; done";
@@ -37,7 +40,7 @@ std::string program(const std::string& act) {
 // ---- what is said ------------------------------------------------------------------------------------------------
 
 TEST(ExecParticle, MovesAsTheProgramAnswers) {
-  const Cast cast{exec_controller(program("echo 0.25 -0.5")), exec_controller("\"" + program("echo 0 1e-2") + "\"")};
+  const Cast cast{exec_controller({program("echo 0.25 -0.5")}), named("\"" + program("echo 0 1e-2") + "\"")};
   const auto record = record_episode(exec_layout(), cast, 1, 0);
   ASSERT_EQ(record.rows.size(), 26U);
   for (std::size_t t = 1; t < 26; ++t)
@@ -56,10 +59,10 @@ TEST(ExecParticle, TellsTheProgramWhatItsAgentObserves) {
     auto scenario = Scenario::named("simple_tag");
     scenario.episode_steps = 2;
     const Layout two_steps(scenario);
-    const Cast cast{random_player(), exec_controller(listen)};
+    const Cast cast{random_player(), exec_controller({listen})};
     score_episodes(two_steps, cast, {7, 3, 2, 1});
     for (const std::uint64_t e : {0, 1}) {
-      records[e] = record_episode(two_steps, {random_player(), exec_controller(program("echo 0.5 0"))}, 7, 3 + e);
+      records[e] = record_episode(two_steps, {random_player(), exec_controller({program("echo 0.5 0")})}, 7, 3 + e);
     }
   }
   std::ifstream file(heard);
@@ -87,21 +90,21 @@ TEST(ExecParticle, TellsTheProgramWhatItsAgentObserves) {
 }
 
 TEST(ExecParticle, TakesQuotesOff) {
-  const auto say = [](const std::string& command) { return exec_controller(command).name; };
+  const auto say = [](const std::string& command) { return named(command).name; };
   EXPECT_EQ(say("./player"), "exec:\"./player\"");
   EXPECT_EQ(say("\"./player 1\""), "exec:\"./player 1\"");
   EXPECT_EQ(say("\"echo \\\"a\\\" \\\\ b\""), "exec:\"echo \\\"a\\\" \\\\ b\"");
-  const Cast cast{exec_controller("\"" + program("echo \\\"0.5 0.25\\\"") + "\""), still_player()};
+  const Cast cast{named("\"" + program("echo \\\"0.5 0.25\\\"") + "\""), still_player()};
   EXPECT_EQ(record_episode(exec_layout(), cast, 1, 0).rows[1].actions[2], (Point{0.5, 0.25}));
-  EXPECT_TRUE(exec_controller("x").one_by_one);
+  EXPECT_TRUE(exec_controller({"x"}).one_by_one);
 }
 
 TEST(ExecParticle, RefusesCommandsThatAreNone) {
   for (const char* command : {"", "\"\"", "   ", "\" \""})
-    expect_error<UsageError>([&] { exec_controller(command); }, "exec: has no command; write exec:\"COMMAND\"");
-  expect_error<UsageError>([] { exec_controller("a\nb"); }, "exec: command 'a?b' has control characters");
+    expect_error<UsageError>([&] { named(command); }, "exec: has no command; write exec:\"COMMAND\"");
+  expect_error<UsageError>([] { named("a\nb"); }, "exec: command 'a?b' has control characters");
   for (const auto time_out : {0ms, -1ms, 86'400'001ms})
-    expect_error<UsageError>([&] { exec_controller("true", time_out); }, "expected 1 ms to a day");
+    expect_error<UsageError>([&] { exec_controller({"true", {time_out, time_out}}); }, "expected 1 ms to a day");
 }
 
 TEST(ParseForce, ReadsTwoNumbers) {
@@ -125,7 +128,9 @@ TEST(ParseForce, ReadsTwoNumbers) {
 
 bool has_python() { return std::system("python3 -c 'import sys' >/dev/null 2>&1") == 0; }
 
-Controller example() { return exec_controller("python3 '" FOLK_SOURCE_DIR "/examples/particle_player.py'", 60s); }
+Controller example() {
+  return exec_controller({"python3 '" FOLK_SOURCE_DIR "/examples/particle_player.py'", {60s, 60s}});
+}
 
 TEST(ExecParticle, ThePythonExampleIsALeadPursuit) {
   if (!has_python()) GTEST_SKIP() << "no python3";
@@ -158,7 +163,7 @@ TEST(ExecParticle, ThePythonExampleFlees) {
 
 /// Expects an episode with this prey to end with one line.
 void expect_failure(const std::string& command, const std::string& part, std::chrono::milliseconds time_out = 60s) {
-  const auto player = exec_controller(command, time_out);
+  const auto player = exec_controller({command, {time_out, time_out}});
   expect_error<EnvironmentError>(
       [&] {
         record_episode(exec_layout(), {still_player(), player}, 1, 0);
@@ -192,12 +197,14 @@ TEST(HostileParticle, ThatSpeaksUnasked) {
                  "wrote a line before it was asked; only the line 'act' wants an answer");
 }
 
+TEST(HostileParticle, ThatSpeaksBeforeItIsAsked) { expect_failure("echo 1 1; " + program("echo 0 0"), "wrote "); }
+
 // The next episode begins with a fresh program.
 TEST(HostileParticle, DoesNotSpoilTheNextEpisode) {
   Batch batch(exec_layout().scenario(), 1);
   batch.reset(1);
   const Block block = batch.block(0);
-  const auto player = exec_controller("read -r a; read -r b; echo 0.5 0; read -r b; exit 1").player(exec_layout(), 3);
+  const auto player = exec_controller({"read -r a; read -r b; echo 0.5 0; read -r b; exit 1"}).player(exec_layout(), 3);
   for (int episode = 0; episode < 3; ++episode) {
     player->start(exec_layout(), block, 3, {});
     player->act(exec_layout(), block, 3, {});

@@ -22,7 +22,7 @@ using test::made_up_tables;
 
 std::string script(const StudyTables& tables, const std::string& name) {
   for (const auto& picture : study_pictures(tables))
-    if (picture.name == name) return picture.script(PictureFormat::svg, "/x/a.svg");
+    if (picture.name == name) return picture.script(PictureFormat::svg);
   return "no picture " + name;
 }
 
@@ -52,8 +52,7 @@ TEST(StudyPictures, BlendsAreCurvesWithIntervals) {
   const std::string text = script(made_up_tables(), "blend_simple_tag");
   EXPECT_TRUE(has(text, "$CURVE0 << END_OF_CURVE0\n0.3 40.5 2\n1 103.25 8.25\nEND_OF_CURVE0\n")) << text;
   EXPECT_TRUE(has(text, "$CURVE1 << END_OF_CURVE1\n0.3 70 1\n1 123.5 1\nEND_OF_CURVE1\n")) << text;
-  for (const char* part :
-       {"using 1:2:3 with yerrorlines", "title 'SCT'", "title 'pursuit rule'", "set output '/x/a.svg'"})
+  for (const char* part : {"using 1:2:3 with yerrorlines", "title 'SCT'", "title 'pursuit rule'"})
     EXPECT_TRUE(has(text, part)) << part;
   EXPECT_FALSE(has(text, "OMAR"));
   EXPECT_FALSE(has(text, "$CURVE2"));
@@ -83,7 +82,7 @@ TEST(StudyPictures, IntervalsOfSharesEndWhereSharesDo) {
   ShareBarsPlot plot;
   plot.groups = {"still"};
   plot.kinds = {{"SCT", 0, {{Cell{0.95, 0.25, 3}, {}}}}, {"RMADT", 2, {{Cell{0.125, 0.25, 3}, {}}}}};
-  const std::string text = share_bars_script(plot, PictureFormat::svg, "/x/a.svg");
+  const std::string text = share_bars_script(plot, PictureFormat::svg);
   EXPECT_TRUE(has(text, " 0.95 0.7 1 ")) << text;
   EXPECT_TRUE(has(text, " 0.125 0 0.375 ")) << text;
 }
@@ -97,7 +96,7 @@ TEST(StudyPictures, AskedReturnsAreOfSct) {
 
 TEST(StudyPictures, NothingOfATextIsExecuted) {
   IntervalCurvesPlot plot{"it's", "x`date`", "y", {{"a'; system 'b", 0, {{0, 1, 0}}}}};
-  const std::string text = interval_curves_script(plot, PictureFormat::svg, "/x/a.svg");
+  const std::string text = interval_curves_script(plot, PictureFormat::svg);
   EXPECT_TRUE(has(text, "'it''s'"));
   EXPECT_TRUE(has(text, "'x`date`'"));
   EXPECT_TRUE(has(text, "'a''; system ''b'"));
@@ -106,23 +105,19 @@ TEST(StudyPictures, NothingOfATextIsExecuted) {
 TEST(StudyPictures, RefusesWhatCannotBeDrawn) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto curves = [](const IntervalCurvesPlot& plot) {
-    return [plot] { interval_curves_script(plot, PictureFormat::svg, "/x/a.svg"); };
+    return [plot] { interval_curves_script(plot, PictureFormat::svg); };
   };
   expect_error<UsageError>(curves({"empty", "", "", {}}), "'empty' has nothing to draw");
   expect_error<UsageError>(curves({"curve", "", "", {{"a", 0, {}}}}), "'curve' has nothing to draw");
   expect_error<UsageError>(curves({"nan", "", "", {{"a", 0, {{0, nan, 0}}}}}), "'nan' has a number that is not finite");
-  expect_error<UsageError>(
-      [&] {
-        agreement_script({"none", {}}, PictureFormat::svg, "/x/a.svg");
-      },
-      "'none' has nothing to draw");
+  expect_error<UsageError>([&] { agreement_script({"none", {}}, PictureFormat::svg); }, "'none' has nothing to draw");
   ShareBarsPlot bars;
   bars.title = "bars";
   bars.groups = {"still", "random"};
   bars.kinds = {{"SCT", 0, {{Cell{0.5, 0, 1}, {}}}}};
-  expect_error<UsageError>([&] { share_bars_script(bars, PictureFormat::svg, "/x/a.svg"); }, "not one bar a group");
+  expect_error<UsageError>([&] { share_bars_script(bars, PictureFormat::svg); }, "not one bar a group");
   bars.kinds[0].bars = {{}, {}};
-  expect_error<UsageError>([&] { share_bars_script(bars, PictureFormat::svg, "/x/a.svg"); }, "'bars' has nothing");
+  expect_error<UsageError>([&] { share_bars_script(bars, PictureFormat::svg); }, "'bars' has nothing");
 }
 
 }  // namespace

@@ -167,7 +167,7 @@ TEST_F(CheckpointFolderTest, ADamagedOneGivesWayToTheOneBefore) {
 
 TEST_F(CheckpointFolderTest, TakesAwayWhatACutOffWriteLeft) {
   fs::create_directories(path_);
-  write_file(path_ / "step-100.checkpoint.4711.0.tmp", "FOL");
+  write_file(path_ / ".folk-0123456789abcdef.tmp", "FOL");
   write_file(path_ / "notes.tmp", "mine");
   const CheckpointFolder folder(path_);
   EXPECT_EQ(names(), std::vector<std::string>{"notes.tmp"});

@@ -36,17 +36,21 @@ std::string always(const std::string& line) {
   return "while read -r what rest; do if [ $what = move ]; then echo '" + line + "'; fi; done";
 }
 
-std::unique_ptr<Player> started(const std::string& command, std::chrono::milliseconds time_out = 60s) {
-  auto player = exec_strategy(command, time_out).new_player();
+/// Of a program that will not answer.
+constexpr ProgramRules quick{100ms, 100ms};
+
+std::unique_ptr<Player> started(const std::string& command, const ProgramRules& rules = {}) {
+  auto player = exec_strategy({command, rules}).new_player();
   player->start({});
   return player;
 }
 
 /// The message with which a player of this command fails within 1000 rounds.
-std::string failure(const std::string& command, std::chrono::milliseconds time_out = 60s) {
+std::string failure(const std::string& command, const ProgramRules& rules = {}) {
   try {
-    const auto player = started(command, time_out);
+    const auto player = started(command, rules);
     for (int t = 0; t < 1000; ++t) player->observe(player->move(), Move::C);
+    player->finish();
   } catch (const EnvironmentError& error) {
     return error.what();
   }
@@ -143,19 +147,33 @@ RC_GTEST_PROP(ParseReply, ReadsEveryBelief, ()) {
 }
 
 TEST(ExecStrategy, IsNamedAfterItsCommand) {
-  const Strategy strategy = exec_strategy("python3 player.py");
+  const Strategy strategy = exec_strategy({"python3 player.py"});
   EXPECT_EQ(strategy.name, "exec:\"python3 player.py\"");
   EXPECT_EQ(strategy.machine, nullptr);
 }
 
 TEST(ExecStrategy, RefusesCommandsAndTimeOutsThatMakeNoSense) {
-  EXPECT_THROW(exec_strategy(""), UsageError);
-  EXPECT_THROW(exec_strategy("  "), UsageError);
-  EXPECT_THROW(exec_strategy("a\nb"), UsageError);
-  EXPECT_THROW(exec_strategy(std::string("a\0b", 3)), UsageError);
-  EXPECT_THROW(exec_strategy("true", 0ms), UsageError);
-  EXPECT_THROW(exec_strategy("true", -1ms), UsageError);
-  EXPECT_THROW(exec_strategy("true", std::chrono::milliseconds::max()), UsageError);
+  EXPECT_THROW(exec_strategy({""}), UsageError);
+  EXPECT_THROW(exec_strategy({"  "}), UsageError);
+  EXPECT_THROW(exec_strategy({"a\nb"}), UsageError);
+  EXPECT_THROW(exec_strategy({std::string("a\0b", 3)}), UsageError);
+  EXPECT_THROW(exec_strategy({"true", {60s, 0ms}}), UsageError);
+  EXPECT_THROW(exec_strategy({"true", {60s, -1ms}}), UsageError);
+  EXPECT_THROW(exec_strategy({"true", {std::chrono::milliseconds::max(), 60s}}), UsageError);
+}
+
+// A program may need long to start, and is to answer fast then.
+TEST(ExecPlayer, HasLongerForItsFirstAnswer) {
+  const auto player = exec_strategy({"sleep 0.3; " + always("C"), {60s, 100ms}}).new_player();
+  player->start({});
+  EXPECT_EQ(answers(*player, "CCC"), "CCC");
+  EXPECT_FAILURE("silent for 0.1 s", "sleep 100", quick);
+  EXPECT_FAILURE("(\"CMD\";start=SECONDS) gives it longer", "sleep 100", quick);
+}
+
+TEST(ExecPlayer, IsDeterministicWhereItsUserSaysSo) {
+  EXPECT_FALSE(exec_strategy({"true"}).deterministic);
+  EXPECT_TRUE(exec_strategy({"true", {60s, 5s, true}}).deterministic);
 }
 
 TEST(ExecPlayer, PlaysAndStartsAgain) {
@@ -188,8 +206,8 @@ TEST(ExecPlayer, HoldsTheBeliefOfTheLastMove) {
 TEST(ExecPlayer, TellsTheProgramEverything) {
   const TemporaryFile heard;
   {
-    const auto player = exec_strategy("while read -r line; do echo \"$line\" >> '" + heard.path() +
-                                      "'; if [ \"$line\" = move ]; then echo D; fi; done")
+    const auto player = exec_strategy({"while read -r line; do echo \"$line\" >> '" + heard.path() +
+                                       "'; if [ \"$line\" = move ]; then echo D; fi; done"})
                             .new_player();
     player->start({Payoffs{}, Criterion::finite(2), RandomKey{}});
     player->observe(player->move(), Move::C);
@@ -219,7 +237,7 @@ TEST(ExecPlayer, ThePythonExamplePlaysTitForTatWithABelief) {
 }
 
 TEST(ExecPlayer, NeedsAStartBeforeAMove) {
-  const auto player = exec_strategy("true").new_player();
+  const auto player = exec_strategy({"true"}).new_player();
   EXPECT_THROW(player->move(), std::logic_error);
 }
 
@@ -235,11 +253,11 @@ TEST(HostileProgram, ThatDoesNotExist) {
 }
 
 TEST(HostileProgram, ThatIsSilent) {
-  EXPECT_FAILURE("exec:\"sleep 100\": silent for 0.1 s; it must", "sleep 100", 100ms);
+  EXPECT_FAILURE("exec(\"sleep 100\";timeout=0.1;start=0.1): silent for 0.1 s; it must", "sleep 100", quick);
 }
 
 TEST(HostileProgram, ThatWritesHalfALineAndIsSilent) {
-  EXPECT_FAILURE("silent for 0.1 s", "read -r game; read -r move; printf C; sleep 100", 100ms);
+  EXPECT_FAILURE("silent for 0.1 s", "read -r game; read -r move; printf C; sleep 100", quick);
 }
 
 TEST(HostileProgram, ThatWritesNonsenseForEver) { EXPECT_FAILURE("exec:\"yes nonsense\": ", "yes nonsense"); }
@@ -250,7 +268,45 @@ TEST(HostileProgram, ThatAnswersNonsense) {
 }
 
 TEST(HostileProgram, ThatSpeaksUnasked) {
-  EXPECT_FAILURE("wrote a line before it was asked", "while read -r line; do echo C; done");
+  EXPECT_FAILURE("only the line 'move' wants an answer", "while read -r line; do echo C; done");
+}
+
+// However its lines fall between ours: there is one too many at the end.
+TEST(HostileProgram, ThatOpensBeforeItIsAsked) {
+  const std::string opens =
+      "echo C; answer=C; while read -r what own theirs; do case $what in move) echo $answer;;"
+      " round) answer=$theirs;; end) exit 0;; esac; done";
+  for (int run = 0; run < 10; ++run) EXPECT_FAILURE("only the line 'move' wants an answer", opens);
+  const auto player = started("read -r game; read -r move; echo C; read -r end; echo bye");
+  player->observe(player->move(), Move::C);
+  EXPECT_THROW(player->finish(), EnvironmentError);
+}
+
+TEST(HostileProgram, ThatStaysAfterItsEndIsKilled) {
+  const TemporaryFile id;
+  const auto player = started("echo $$ > '" + id.path() + "'; " + always("C") + "; sleep 1000");
+  EXPECT_EQ(player->move(), Move::C);
+  player->finish();
+  EXPECT_EQ(state_of(std::stoi(id.content())), '-');
+  player->finish();  // there is nobody to tell
+}
+
+TEST(HostileProgram, ThatLeavesItsGroupIsKilled) {
+  if (std::system("python3 -c 'import sys' >/dev/null 2>&1") != 0) GTEST_SKIP() << "no python3";
+  const TemporaryFile ids;
+  {
+    const auto player = started(
+        "python3 -c 'import os, subprocess, time; os.setpgid(0, os.getpgid(os.getppid()));"
+        " other = subprocess.Popen([\"sleep\", \"1000\"], start_new_session=True);"
+        " open(\"" +
+        ids.path() +
+        "\", \"w\").write(f\"{os.getpid()} {other.pid}\");"
+        " input(); input(); print(\"C\", flush=True); time.sleep(1000)'");
+    EXPECT_EQ(player->move(), Move::C);
+  }
+  std::ifstream file(ids.path());
+  for (pid_t id = 0; file >> id;)
+    while (state_of(id) != 'Z' && state_of(id) != '-') std::this_thread::sleep_for(1ms);
 }
 
 TEST(HostileProgram, ThatEndsAfterThreeMoves) {
@@ -275,7 +331,7 @@ TEST(HostileProgram, ThatWritesAHugeLine) {
 }
 
 TEST(HostileProgram, ThatNeverReads) {
-  const auto player = started("sleep 100", 100ms);
+  const auto player = started("sleep 100", quick);
   for (int t = 0; t < 100'000; ++t) player->observe(Move::C, Move::C);  // more than a pipe holds
   EXPECT_THROW(
       {
@@ -314,6 +370,7 @@ TEST(ChildProcess, ALineMayHave4096Bytes) {
 }
 
 TEST(ChildProcess, LeavesNoDescriptorAndNoZombie) {
+  failure("false");  // what is opened once for all
   const auto before = open_descriptors();
   for (int i = 0; i < 5; ++i) {
     const auto player = started(shell_tit_for_tat);
@@ -349,6 +406,7 @@ TEST(ChildProcess, TakesItsProcessGroupAlong) {
 }
 
 TEST(ChildProcess, ManyThreadsPlayAtOnce) {
+  failure("false");  // what is opened once for all
   const auto before = open_descriptors();
   std::vector<std::thread> threads;
   std::vector<std::string> results(8);

@@ -129,7 +129,7 @@ class WrongUsage(Errors):
             enough = ENOUGH[program]
             self.refused(2, *enough, "--nosuch", program=program, says="--nosuch")
             self.refused(2, *enough, "--nosuch=3", program=program, says="--nosuch")
-            self.refused(2, *enough, "--quie", program=program)
+            self.refused(2, *enough, "--quie", program=program, says="did you mean --quiet?")
 
     def test_arguments_that_nobody_wants(self):
         self.refused(2, "stray", says=("unexpected argument 'stray'", "ipd-tournament [options]"))
@@ -262,7 +262,7 @@ class TheWorldOutside(Errors):
         self.refused(2, "--include", 'exec:""', says="no command")
 
     def test_programs_that_are_silent(self):
-        self.refused(4, "--strategies", 'all_c,exec:"sleep 1000"', says="silent for 5 s")
+        self.refused(4, "--strategies", 'all_c,exec("sleep 1000";timeout=0.3;start=0.3)', says="silent for 0.3 s")
 
     def test_programs_that_draw_are_missing(self):
         nowhere = {**os.environ, "PATH": str(self.folder)}

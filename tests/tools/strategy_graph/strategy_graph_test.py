@@ -74,7 +74,7 @@ class Drawings(unittest.TestCase):
         self.refused(2, 'exec:"cat" is an opaque player: it can be played, but it has no machine that could be drawn',
                      "exec:cat")
         missing = self.folder / "none" / "a.svg"
-        self.refused(4, f"{missing}: cannot be written: No such file or directory", "all_c", "-o", missing)
+        self.refused(4, f"{missing}: cannot be written: there is no such folder; make it or name another", "all_c", "-o", missing)
 
     def test_a_missing_dot(self):
         self.refused(4, "dot is not installed: apt-get install graphviz, or write a .dot file", "all_c", "-o",
