@@ -89,6 +89,7 @@ void Tournament::play_pairs(const Progress& progress) {
   for (const std::size_t behaviour : behaviour_of_) ++members[behaviour];
   scores_.resize(behaviours_ * behaviours_);
   cooperations_.resize(behaviours_ * behaviours_);
+  mutual_cooperations_.resize(behaviours_ * (behaviours_ + 1) / 2);
   notes_.resize(behaviours_ * behaviours_);
   if (player.may_sample()) errors_.resize(behaviours_ * behaviours_);
   guesses_.resize(behaviours_);
@@ -145,6 +146,7 @@ void Tournament::store_row(std::size_t a, std::size_t b, const PairResult& resul
   }
   scores_[at] = own;
   cooperations_[at] = result.weights[0] + result.weights[1];
+  if (a <= b) mutual_cooperations_[common_cell(a, b)] = result.weights[0];
   const bool exact = is_exact(result.method, settings_.criterion);
   notes_[at] = Note{result.method, own - theirs > (exact ? 0 : rounding * largest_score_)};
   if (!errors_.empty()) errors_[at] = result.first_error;
@@ -154,6 +156,14 @@ void Tournament::store_row(std::size_t a, std::size_t b, const PairResult& resul
 double Tournament::score(std::size_t i, std::size_t j) const { return scores_[cell(i, j)] / scale_; }
 
 double Tournament::cooperation(std::size_t i, std::size_t j) const { return cooperations_[cell(i, j)]; }
+
+OutcomeWeights Tournament::outcomes(std::size_t i, std::size_t j) const {
+  const double both = mutual_cooperations_[common_cell(behaviour_of_[i], behaviour_of_[j])];
+  const auto rest = [](double weight) { return std::max(weight, 0.0); };  // of rounding, no less than nothing is left
+  const double own = rest(cooperation(i, j) - both);
+  const double theirs = rest(cooperation(j, i) - both);
+  return {both, own, theirs, rest(settings_.criterion.total_weight() - both - own - theirs)};
+}
 
 Method Tournament::method(std::size_t i, std::size_t j) const { return notes_[cell(i, j)].method; }
 
@@ -224,7 +234,9 @@ RankingEntry Tournament::entry(std::size_t i) const {
     scores.push_back(scores_[at]);
     cooperations += cooperations_[at];
     if (!errors_.empty()) error_of[behaviour_of_[j]] += errors_[at];
+    if (notes_[at].method > entry.method) entry.pairs_of_method = 0;
     entry.method = std::max(entry.method, notes_[at].method);
+    if (notes_[at].method == entry.method) ++entry.pairs_of_method;
     entry.wins += notes_[at].wins ? 1 : 0;
     all_normalised = all_normalised && column_means_[j] > 0;
     normalised_sum += scores_[at] / column_means_[j];

@@ -32,6 +32,7 @@ struct RankingEntry {
   double cooperation_rate = 0;
   std::optional<double> normalised;  ///< mean of its row of normalised payoffs; nothing where one is undefined
   Method method = Method::cycle;     ///< the least exact of its pairs'
+  std::size_t pairs_of_method = 0;   ///< how many of them were obtained so
   double error = 0;                  ///< standard error of the total, 0 where nothing was sampled
   /// The share of its guesses of the others' moves that was right; nothing for an entrant without beliefs.
   std::optional<double> belief_accuracy;
@@ -58,6 +59,12 @@ public:
   double score(std::size_t i, std::size_t j) const;
   double cooperation(std::size_t i, std::size_t j) const;
   std::optional<double> normalised(std::size_t i, std::size_t j) const;
+
+  /// True when i scored more than j, by more than rounding can.
+  bool wins(std::size_t i, std::size_t j) const { return notes_[cell(i, j)].wins; }
+
+  /// The weight of each outcome of the pair, i's move first (weighted like the score).
+  OutcomeWeights outcomes(std::size_t i, std::size_t j) const;
 
   /// How the pair's figures were obtained, with the standard error of i's score.
   Method method(std::size_t i, std::size_t j) const;
@@ -100,6 +107,12 @@ private:
   RankingEntry entry(std::size_t i) const;
   void sign();
 
+  /// Where what two behaviours have in common stands.
+  static std::size_t common_cell(std::size_t a, std::size_t b) {
+    const auto [low, high] = std::minmax(a, b);
+    return high * (high + 1) / 2 + low;
+  }
+
   /// Where the figures of entrant i against entrant j stand.
   std::size_t cell(std::size_t i, std::size_t j) const { return behaviour_of_[i] * behaviours_ + behaviour_of_[j]; }
 
@@ -115,7 +128,8 @@ private:
   // Figures of behaviour a against behaviour b, at a * behaviours_ + b.
   std::vector<double> scores_;  // scaled
   std::vector<double> cooperations_;
-  std::vector<double> errors_;  // standard errors of unscaled scores; empty where nothing can be sampled
+  std::vector<double> mutual_cooperations_;  // of each unordered pair: weights of CC
+  std::vector<double> errors_;               // standard errors of unscaled scores; empty where nothing can be sampled
   struct Note {
     Method method = Method::cycle;
     bool wins = false;  // a scored more than b

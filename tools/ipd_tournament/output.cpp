@@ -72,6 +72,12 @@ std::optional<double> confidence(const Tournament& tournament, const RankingEntr
   return boost::math::quantile(distribution, 0.975) * entry.error;
 }
 
+/// The least exact way in which figures of an entrant were obtained, and how many of its pairs were where not all.
+std::string figures(const RankingEntry& entry, std::size_t pairs) {
+  if (entry.pairs_of_method == pairs) return std::string(to_string(entry.method));
+  return fmt::format("{} of {} {}", entry.pairs_of_method, pairs, to_string(entry.method));
+}
+
 std::string settings_line(const Tournament& tournament, const TournamentLabels& labels) {
   const auto& settings = tournament.settings();
   std::string text =
@@ -112,11 +118,11 @@ void write_json_ranking(std::ostream& out, const Tournament& tournament) {
     out << fmt::format(
         "{}    {{\"rank\": {}, \"name\": {}, \"total\": {}, \"mean\": {}, \"median\": {}, \"wins\": {}, "
         "\"cooperation_rate\": {}, \"normalised\": {}, \"method\": \"{}\", \"confidence_95\": {}, "
-        "\"belief_accuracy\": {}, \"total_against_roster\": {}}}",
+        "\"belief_accuracy\": {}, \"total_against_roster\": {}, \"pairs_of_method\": {}}}",
         separator, entry.rank, json_string(tournament.name(entry.entrant)), exact(entry.total), entry.mean,
         entry.median, entry.wins, entry.cooperation_rate, json_number(entry.normalised), to_string(entry.method),
         json_number(confidence(tournament, entry)), json_number(entry.belief_accuracy),
-        exact(entry.total_against_roster));
+        exact(entry.total_against_roster), entry.pairs_of_method);
     separator = ",\n";
   }
   out << "\n  ]";
@@ -139,18 +145,37 @@ template <class Cell>
 void write_csv_matrix(std::ostream& out, const Tournament& tournament, Cell cell) {
   out << "row\\col";
   for (std::size_t j = 0; j < tournament.size(); ++j) out << ',' << csv_field(tournament.name(j));
-  out << ",total\n";
+  out << '\n';
   for (std::size_t i = 0; i < tournament.size(); ++i) {
     out << csv_field(tournament.name(i));
-    long double total = 0;
     for (std::size_t j = 0; j < tournament.size(); ++j) {
       out << ',';
-      if (!tournament.played(i, j)) continue;
-      const double value = cell(i, j);
-      total += static_cast<long double>(value);
-      out << exact(static_cast<long double>(value));
+      if (tournament.played(i, j)) out << exact(static_cast<long double>(cell(i, j)));
     }
-    out << ',' << exact(total) << '\n';
+    out << '\n';
+  }
+}
+
+/// A row a pair: both scores, the share of each outcome (the first player's move first), who won, how the figures were
+/// obtained, the standard errors of both scores.
+void write_pairs_csv(std::ostream& out, const Tournament& tournament) {
+  out << "a,b,score_a,score_b,CC,CD,DC,DD,winner,figures,standard_error_a,standard_error_b\n";
+  const double weight = tournament.settings().criterion.total_weight();
+  const double all = weight > 0 ? weight : 1;
+  fmt::memory_buffer rows;
+  for (std::size_t i = 0; i < tournament.size(); ++i) {
+    rows.clear();
+    for (std::size_t j = i; j < tournament.size(); ++j) {
+      if (!tournament.played(i, j)) continue;
+      const OutcomeWeights outcomes = tournament.outcomes(i, j);
+      const char* winner = i != j && tournament.wins(i, j) ? "a" : i != j && tournament.wins(j, i) ? "b" : "";
+      fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(tournament.name(i)),
+                     csv_field(tournament.name(j)), exact(static_cast<long double>(tournament.score(i, j))),
+                     exact(static_cast<long double>(tournament.score(j, i))), outcomes[0] / all, outcomes[1] / all,
+                     outcomes[2] / all, outcomes[3] / all, winner, to_string(tournament.method(i, j)),
+                     tournament.standard_error(i, j), tournament.standard_error(j, i));
+    }
+    out.write(rows.data(), static_cast<std::streamsize>(rows.size()));
   }
 }
 
@@ -200,7 +225,7 @@ void write_text(std::ostream& out, const Tournament& tournament, const Tournamen
     row.push_back(entry.normalised ? fmt::format("{:.2f}", *entry.normalised) : "-");
     if (tournament.has_beliefs())
       row.push_back(entry.belief_accuracy ? fmt::format("{:.2f} %", 100 * *entry.belief_accuracy) : "");
-    row.emplace_back(to_string(entry.method));
+    row.push_back(figures(entry, tournament.opponents()));
     table.add(std::move(row));
   }
   out << table.text();
@@ -215,15 +240,15 @@ void write_text(std::ostream& out, const Tournament& tournament, const Tournamen
 
 void write_ranking_csv(std::ostream& out, const Tournament& tournament, const Invasions* invasions) {
   out << "rank,strategy,total,mean,median,wins,cooperation_rate,normalised,method,confidence_95,belief_accuracy,"
-         "total_against_roster"
+         "total_against_roster,pairs_of_method"
       << (invasions != nullptr ? fmt::format(",{}", invasion_csv_columns) : "") << '\n';
   fmt::memory_buffer rows;
   for (const auto& entry : tournament.ranking())
-    fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{},{},{}{}\n", entry.rank,
+    fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{},{},{},{}{}\n", entry.rank,
                    csv_field(tournament.name(entry.entrant)), exact(entry.total), entry.mean, entry.median, entry.wins,
                    entry.cooperation_rate, csv_number(entry.normalised), to_string(entry.method),
                    csv_number(confidence(tournament, entry)), csv_number(entry.belief_accuracy),
-                   exact(entry.total_against_roster),
+                   exact(entry.total_against_roster), entry.pairs_of_method,
                    invasions != nullptr ? "," + invasion_csv_fields(*invasions, entry.entrant) : "");
   out.write(rows.data(), static_cast<std::streamsize>(rows.size()));
 }
@@ -275,6 +300,8 @@ void write_files(const fs::path& folder, const Tournament& tournament, const Tou
   write_file(folder / "cooperation.csv", [&](std::ostream& out) {
     write_csv_matrix(out, tournament, [&](std::size_t i, std::size_t j) { return tournament.cooperation(i, j); });
   });
+  if (tournament.size() <= most_listed_pairs)
+    write_file(folder / "pairs.csv", [&](std::ostream& out) { write_pairs_csv(out, tournament); });
   if (tournament.has_beliefs())
     write_file(folder / "beliefs.csv", [&](std::ostream& out) { write_beliefs_csv(out, tournament); });
   if (invasions != nullptr)

@@ -30,9 +30,12 @@ void write_ranking_csv(std::ostream& out, const Tournament& tournament, const In
 void write_json(std::ostream& out, const Tournament& tournament, const TournamentLabels& labels, bool with_matrices,
                 const Invasions* invasions);
 
-/// ranking.csv, scores.csv, cooperation.csv, summary.json and, where somebody holds beliefs, beliefs.csv and, where it
-/// was asked for, invasion.csv in `folder`, each written whole or not at all. Throws EnvironmentError when the folder
-/// cannot be made or written.
+/// pairs.csv is written for up to so many entrants: it has a row a pair.
+inline constexpr std::size_t most_listed_pairs = 1000;
+
+/// ranking.csv, scores.csv, cooperation.csv, pairs.csv, summary.json and, where somebody holds beliefs, beliefs.csv
+/// and, where it was asked for, invasion.csv in `folder`, each written whole or not at all. Throws EnvironmentError
+/// when the folder cannot be made or written.
 void write_files(const std::filesystem::path& folder, const Tournament& tournament, const TournamentLabels& labels,
                  const Invasions* invasions);
 

@@ -1,0 +1,108 @@
+"""Every command that README and docs/ show, run as it stands: what it prints is what the page says. FOLK_BIN names the folder of the
+programs; with FOLK_DOCS_UPDATE=1 the pages are rewritten instead.
+
+A command is a line of a fenced block that begins with "$ "; the lines up to the next are its output, in which a line of three dots
+stands for any lines; a command without any must only succeed. The commands of a page share a folder. Blocks that are opened with ```console long take minutes, or are about
+Folk's own scripts: they are not run."""
+
+import os
+import re
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+BIN = Path(os.environ["FOLK_BIN"])
+TREE = Path(__file__).resolve().parents[3]
+PAGES = [TREE / "README.md", *sorted((TREE / "docs").glob("*.md"))]
+UPDATE = os.environ.get("FOLK_DOCS_UPDATE") == "1"
+BLOCK = re.compile(r"^```(.*)\n((?:(?!```).*\n)*)```$", re.MULTILINE)
+LONG = "console long"
+# What a page takes for granted.
+FILES = {"ipd-tournament.md": {"bad.machines": "machine bad\nc C c d\n"}}
+
+
+def commands(block):
+    """(command, output) of a block's text, from its first command on."""
+    parts = re.split(r"^\$ (.*)\n", block, flags=re.MULTILINE)
+    return list(zip(parts[1::2], parts[2::2]))
+
+
+def run(command, folder):
+    done = subprocess.run(command, shell=True, cwd=folder, text=True, timeout=300, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL,
+                          env={**os.environ, "PATH": f"{BIN}:{os.environ['PATH']}", "COLUMNS": "80"})
+    return done.returncode, done.stdout
+
+
+def pattern(shown):
+    """A regular expression for the output that is shown. The last bits of what was rounded depend on the processor's vector
+    instructions, and with them a signature."""
+    lines = []
+    for line in shown.rstrip("\n").split("\n"):
+        if line.strip() == "...":
+            lines.append(r"(?:.*\n)*?")
+        else:
+            lines.append(re.sub(r"(?<=signature )[0-9a-f]{16}", "[0-9a-f]{16}", re.escape(line)).replace(r"\ ", " ") + "[ ]*\n")
+    return re.compile("".join(lines) + r"\n*\Z")
+
+
+def exact(shown):
+    return "markov" not in shown and "sampled" not in shown and "±" not in shown
+
+
+class Docs(unittest.TestCase):
+    maxDiff = None
+
+    def check(self, page, text):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        for name in ("examples", "tests", "data"):
+            (Path(folder.name) / name).symlink_to(TREE / name)
+        for name, content in FILES.get(page.name, {}).items():
+            (Path(folder.name) / name).write_text(content)
+        count = 0
+
+        def checked(block):
+            nonlocal count
+            if block[1] == LONG or not commands(block[2]):
+                return block[0]
+            count += 1
+            new = block[2][:re.search(r"^\$ ", block[2], re.MULTILINE).start()]
+            for command, shown in commands(block[2]):
+                code, printed = run(command, folder.name)
+                new += f"$ {command}\n" + (printed if shown.strip() and "..." not in shown else shown)
+                with self.subTest(page=page.name, command=command):
+                    if not shown.strip():  # what it prints is not shown
+                        self.assertEqual(code, 0, printed)
+                        continue
+                    wanted = shown if exact(shown) else re.sub(r"(?<=signature )[0-9a-f]{16}", "", shown)
+                    if not UPDATE and not pattern(shown).match(printed.rstrip("\n") + "\n"):
+                        self.assertEqual(printed, wanted)
+            return f"```{block[1]}\n{new.rstrip(chr(10))}\n```"
+
+        new = BLOCK.sub(checked, text)
+        if UPDATE and new != text:
+            page.write_text(new)
+        return count
+
+    def test_long_ones_are_few(self):
+        """Nothing is left out but trainings, the study and scripts."""
+        for page in PAGES:
+            for info, block in BLOCK.findall(page.read_text()):
+                for command, _ in commands(block) if info == LONG else ():
+                    self.assertRegex(command, r"^(scripts/|mpe-train |sct-train |mpe-evaluate --predators sct\.|cat |ls |rm |sce-check sct|ipd-tournament .*sct:small)")
+
+
+for one in PAGES:
+    content = one.read_text()
+    if any(commands(block) and info != LONG for info, block in BLOCK.findall(content)):
+        name = "test_" + re.sub(r"\W", "_", one.stem)
+        setattr(Docs, name, lambda self, page=one, text=content: self.assertGreater(self.check(page, text), 0))
+
+
+if __name__ == "__main__":
+    if "FOLK_SANITIZED" in os.environ:
+        print("the programs' own tests run under a sanitizer")
+    else:
+        unittest.main()
