@@ -60,9 +60,9 @@ StageGame stage_game(const Payoffs& payoffs, const std::string& title) {
 Payoffs symmetric_payoffs(const StageGame& game) {
   if (game.rows() != 2 || game.columns() != 2)
     throw UsageError("game '" + excerpt(game.title()) + "' is " + std::to_string(game.rows()) + "x" +
-                     std::to_string(game.columns()) + ": a tournament takes symmetric 2x2 games");
+                     std::to_string(game.columns()) + ": expected a symmetric 2x2 game");
   if (!game.is_symmetric())
-    throw UsageError("game '" + excerpt(game.title()) + "' is not symmetric: a tournament takes symmetric 2x2 games");
+    throw UsageError("game '" + excerpt(game.title()) + "' is not symmetric: expected a symmetric 2x2 game");
   return {game.payoff(Seat::first, 1, 0), game.payoff(Seat::first, 0, 0), game.payoff(Seat::first, 1, 1),
           game.payoff(Seat::first, 0, 1)};
 }

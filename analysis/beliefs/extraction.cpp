@@ -87,8 +87,10 @@ void check_records(const std::vector<Strategy>& opponents, const std::vector<Bel
 std::uint64_t check(const Strategy& policy, const std::vector<BeliefRecord>& records,
                     const ExtractionOptions& options) {
   if (!is_deterministic(policy))
-    throw UsageError(
-        fmt::format("{} draws random numbers: an automaton is extracted from a deterministic policy", policy.name));
+    throw UsageError(fmt::format(
+        "{} {}: an automaton is extracted from a deterministic policy", policy.name,
+        policy.machine ? "draws random numbers"
+                       : "is not known to be deterministic (of a program exec(\"CMD\";deterministic) says so)"));
   std::uint64_t rounds = 0;
   for (const auto& record : records)
     for (const auto& match : record.matches) rounds = std::max<std::uint64_t>(rounds, match.size());

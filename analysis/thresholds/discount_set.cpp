@@ -148,19 +148,35 @@ std::string to_text(const AlgebraicNumber& number) {
   }
 }
 
-std::string to_text(const DiscountSet& set) {
+namespace {
+
+template <class Text>
+std::string set_text(const DiscountSet& set, const Text& end_text) {
   if (set.empty()) return "never";
   std::string text;
   for (const Interval& interval : set.intervals()) {
     if (!text.empty()) text += " or ";
     if (interval.low.at == interval.high.at) {
-      text += "{" + to_text(interval.low.at) + "}";
+      text += fmt::format("{{{}}}", end_text(interval.low.at));
       continue;
     }
-    text += (interval.low.at == Rational(0) ? "(" : "[") + to_text(interval.low.at) + ", ";
-    text += to_text(interval.high.at) + (interval.high.at == Rational(1) ? ")" : "]");
+    text += fmt::format("{}{}, {}{}", interval.low.at == Rational(0) ? '(' : '[', end_text(interval.low.at),
+                        end_text(interval.high.at), interval.high.at == Rational(1) ? ')' : ']');
   }
   return text;
+}
+
+}  // namespace
+
+std::string to_text(const DiscountSet& set) {
+  return set_text(set, [](const AlgebraicNumber& end) { return to_text(end); });
+}
+
+std::string to_readable_text(const DiscountSet& set) {
+  return set_text(set, [](const AlgebraicNumber& end) {
+    if (end.is_rational()) return to_text(end);
+    return fmt::format("{:.4f} (root of {})", end.nearest(), to_text(end.minimal_polynomial()));
+  });
 }
 
 std::vector<std::array<double, 2>> to_numbers(const DiscountSet& set) {

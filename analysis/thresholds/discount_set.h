@@ -70,6 +70,9 @@ std::string to_text(const AlgebraicNumber& number);
 /// "[1/2, 1)", "(0, 1)", "(0, 1/3] or {1/2}", "never".
 std::string to_text(const DiscountSet& set);
 
+/// The same with a decimal before each irrational end: "[0.7044 (root of 2 d^5 - d - 1), 1)".
+std::string to_readable_text(const DiscountSet& set);
+
 /// The ends as the nearest doubles: {{0.5, 1}}; always is {{0, 1}}, never {}.
 std::vector<std::array<double, 2>> to_numbers(const DiscountSet& set);
 

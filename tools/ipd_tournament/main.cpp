@@ -115,7 +115,8 @@ int tournament(const po::variables_map& values, const Common& common) {
   const Tournament result = play_tournament(std::move(entrants), core, settings, std::ref(*bar));
   bar.reset();
 
-  const TournamentLabels labels{text_option(values, "strategies"), text_option(values, "include"), game.title};
+  const TournamentLabels labels{text_option(values, "strategies"), text_option(values, "include"), game.title,
+                                common.command};
   const auto found = values.count("invasion") != 0 ? std::optional<Invasions>(result) : std::nullopt;
   const Invasions* invasions = found ? &*found : nullptr;
   if (folder) {

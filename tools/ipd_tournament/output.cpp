@@ -256,7 +256,10 @@ void write_ranking_csv(std::ostream& out, const Tournament& tournament, const In
 void write_json(std::ostream& out, const Tournament& tournament, const TournamentLabels& labels, bool with_matrices,
                 const Invasions* invasions) {
   const auto& settings = tournament.settings();
-  out << fmt::format("{{\n  \"game\": {},\n  \"payoffs\": {},\n  \"criterion\": \"{}\",\n  \"rounds\": {},\n",
+  out << "{\n";
+  if (!with_matrices)
+    out << fmt::format("  \"folk_version\": \"{}\",\n  \"command\": {},\n", FOLK_VERSION, json_string(labels.command));
+  out << fmt::format("  \"game\": {},\n  \"payoffs\": {},\n  \"criterion\": \"{}\",\n  \"rounds\": {},\n",
                      json_string(labels.game), payoffs_of(settings.payoffs), settings.criterion.to_string(),
                      settings.criterion.is_finite() ? fmt::format("{}", settings.criterion.rounds()) : "null");
   out << fmt::format("  \"noise\": {},\n  \"self_play\": {},\n  \"repetitions\": {},\n  \"seed\": {},\n",

@@ -12,9 +12,10 @@ namespace folk::tools {
 
 /// What the output says beside the results.
 struct TournamentLabels {
-  std::string roster;    ///< the SPEC as the user wrote it
-  std::string included;  ///< the --include SPEC, or nothing
-  std::string game;      ///< its title
+  std::string roster;     ///< the SPEC as the user wrote it
+  std::string included;   ///< the --include SPEC, or nothing
+  std::string game;       ///< its title
+  std::string command{};  ///< the command line
 };
 
 /// The ranking as aligned columns under a header that states every setting.
@@ -26,7 +27,7 @@ void write_text(std::ostream& out, const Tournament& tournament, const Tournamen
 void write_ranking_csv(std::ostream& out, const Tournament& tournament, const Invasions* invasions);
 
 /// One object: settings, ranking and (with_matrices) scores, cooperations, normalised, belief_accuracy; matrices are
-/// written cell by cell.
+/// written cell by cell. Without them it is what a file keeps: Folk's version and the command line too.
 void write_json(std::ostream& out, const Tournament& tournament, const TournamentLabels& labels, bool with_matrices,
                 const Invasions* invasions);
 

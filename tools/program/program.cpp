@@ -25,6 +25,24 @@
 namespace folk::tools {
 namespace {
 
+/// The command line in a form that a shell reads back.
+std::string command_line(const std::string& program, int argc, char** argv) {
+  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=+:,./@%";
+  std::string line = program;
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    line += ' ';
+    if (!word.empty() && word.find_first_not_of(plain) == std::string_view::npos) {
+      line += word;
+      continue;
+    }
+    line += '\'';
+    for (const char c : word) line += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    line += '\'';
+  }
+  return line;
+}
+
 std::string help_text(const Program& program) {
   std::ostringstream text;
   text << "Usage: " << program.name << " " << program.usage << "\n\n" << program.summary << "\n\n" << program.options;
@@ -108,7 +126,8 @@ Format format_named(const std::string& name) {
   return Format::text;
 }
 
-int run_parsed(const Program& program, const po::variables_map& values, const std::vector<std::string>& formats,
+int run_parsed(const Program& program, const std::string& command, const po::variables_map& values,
+               const std::vector<std::string>& formats,
                const std::function<int(const po::variables_map&, const Common&)>& body) {
   if (values.count("help") != 0) {
     std::cout << help_text(program);
@@ -121,6 +140,7 @@ int run_parsed(const Program& program, const po::variables_map& values, const st
   Common common;
   common.quiet = values.count("quiet") != 0;
   common.program = program.name;
+  common.command = command;
   if (!formats.empty()) {
     const auto name = values["format"].as<std::string>();
     if (std::find(formats.begin(), formats.end(), name) == formats.end())
@@ -149,7 +169,8 @@ int run(int argc, char** argv, Program program, const std::vector<std::string>& 
     add("quiet", "no banner, no progress, no warnings on stderr");
     add("help,h", "this text");
     add("version,V", "version and build");
-    const int code = run_parsed(program, parse(argc, argv, program), formats, body);
+    const int code =
+        run_parsed(program, command_line(program.name, argc, argv), parse(argc, argv, program), formats, body);
     std::cout.flush();
     if (const int reason = errno; !std::cout && reason != EPIPE)
       return complain(program, fmt::format("standard output cannot be written: {}", std::strerror(reason)), failed);

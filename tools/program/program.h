@@ -31,6 +31,7 @@ struct Common {
   Format format = Format::text;
   bool quiet = false;
   std::string program{};  ///< its name
+  std::string command{};  ///< the command line, as a shell would read it
 
   /// A line on stderr, the program's name first, unless --quiet is given.
   void note(std::string_view message) const;

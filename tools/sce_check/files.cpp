@@ -28,7 +28,7 @@ std::string machine_file(const SceQuestion& question, const ExtractedMachine& ex
 }
 
 void write_files(const std::filesystem::path& folder, const SceQuestion& question, const SceReport& report) {
-  write_file(folder / "report.json", [&](std::ostream& out) { write_json(out, question, report); });
+  write_file(folder / "report.json", [&](std::ostream& out) { write_json(out, question, report, true); });
   write_file(folder / "report.html", html_page(question, report));
   if (!report.extracted) return;
   const std::string name = extracted_name(question);

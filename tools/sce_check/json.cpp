@@ -203,26 +203,31 @@ Json extracted_of(const SceQuestion& question, const std::optional<ExtractedMach
 
 }  // namespace
 
-void write_json(std::ostream& out, const SceQuestion& question, const SceReport& report) {
+void write_json(std::ostream& out, const SceQuestion& question, const SceReport& report, bool with_command) {
   Json opponents = Json::array();
   for (const auto& opponent : report.opponents) opponents.push_back(opponent_of(opponent, question));
-  const Json object = {{"policy", question.policy.name},
-                       {"game", to_text(question.payoffs)},
-                       {"criterion", question.criterion.to_string()},
-                       {"class", question.class_spec},
-                       {"side", question.sides == Sides::both    ? "both"
-                                : question.sides == Sides::first ? "own"
-                                                                 : "theirs"},
-                       {"epsilon_belief", question.epsilon_belief},
-                       {"epsilon_payoff", to_double(question.epsilon_payoff)},
-                       {"depth", question.depth},
-                       {"seed", question.seed},
-                       {"opponents", opponents},
-                       {"overall",
-                        {{"belief", belief_of(report.belief)},
-                         {"belief_effect", effect_of(report.effect)},
-                         {"verdicts", verdicts_of(report.verdicts, &report.worst)}}},
-                       {"extracted", extracted_of(question, report.extracted)}};
+  Json object = {{"policy", question.policy.name},
+                 {"game", to_text(question.payoffs)},
+                 {"criterion", question.criterion.to_string()},
+                 {"class", question.class_spec},
+                 {"side", question.sides == Sides::both    ? "both"
+                          : question.sides == Sides::first ? "own"
+                                                           : "theirs"},
+                 {"epsilon_belief", question.epsilon_belief},
+                 {"epsilon_payoff", to_double(question.epsilon_payoff)},
+                 {"depth", question.depth},
+                 {"seed", question.seed},
+                 {"left_out", question.left_out},
+                 {"opponents", opponents},
+                 {"overall",
+                  {{"belief", belief_of(report.belief)},
+                   {"belief_effect", effect_of(report.effect)},
+                   {"verdicts", verdicts_of(report.verdicts, &report.worst)}}},
+                 {"extracted", extracted_of(question, report.extracted)}};
+  if (with_command) {
+    object["folk_version"] = FOLK_VERSION;
+    object["command"] = question.command;
+  }
   out << object.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
 }
 

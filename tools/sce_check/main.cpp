@@ -40,7 +40,7 @@ int check(const po::variables_map& values, const Common& common) {
   switch (common.format) {
     case Format::text: write_text(std::cout, question, report); break;
     case Format::csv: write_csv(std::cout, question, report); break;
-    case Format::json: write_json(std::cout, question, report); break;
+    case Format::json: write_json(std::cout, question, report, false); break;
   }
   if (question.require && !holds(report, *question.require)) {
     std::cout.flush();

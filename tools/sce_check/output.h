@@ -15,7 +15,7 @@ void write_text(std::ostream& out, const SceQuestion& question, const SceReport&
 void write_csv(std::ostream& out, const SceQuestion& question, const SceReport& report);
 
 /// One object; the form is in docs/sce-check.md.
-void write_json(std::ostream& out, const SceQuestion& question, const SceReport& report);
+void write_json(std::ostream& out, const SceQuestion& question, const SceReport& report, bool with_command);
 
 /// report.json, report.html and, where there is one, NAME.machine and its drawing, in `folder`.
 void write_files(const std::filesystem::path& folder, const SceQuestion& question, const SceReport& report);

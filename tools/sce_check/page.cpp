@@ -97,7 +97,9 @@ Html question_list(const SceQuestion& question) {
   add("epsilon", fmt::format("belief {}, payoff {}", question.epsilon_belief, to_text(question.epsilon_payoff)));
   add("depth of its own search", std::to_string(question.depth));
   add("seed, repetitions", fmt::format("{}, {}", question.seed, question.repetitions));
+  if (!question.left_out.empty()) add("left out, without end", fmt::format("{}", fmt::join(question.left_out, ", ")));
   if (!question.policy.caveat.empty()) add("note", question.policy.caveat);
+  add("made by", fmt::format("Folk {}: {}", FOLK_VERSION, question.command));
   return element("dl", list) + "\n";
 }
 
@@ -113,7 +115,7 @@ Html body_of(const SceQuestion& question, const SceReport& report, const Picture
   const bool several = report.opponents.size() > 1;
   Html html = element("h1", page_title(question, report)) + "\n";
   html += element("h2", several ? "Verdicts: the worst of all opponents" : "Verdicts") + "\n";
-  html += verdict_table(report.verdicts, several ? &report.worst : nullptr);
+  html += verdict_table(report.verdicts, several ? &report.worst : nullptr, report.belief.has_value());
   html += question_list(question);
   html += overall_beliefs(report, pictures);
   if (several) {

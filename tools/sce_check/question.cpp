@@ -58,6 +58,15 @@ std::optional<std::string> required(const po::variables_map& values) {
       fmt::format("--require '{}': expected nash, subgame-perfect, self-confirming or beliefs", excerpt(text)));
 }
 
+/// Nobody asked for them: machines without end, which a criterion without end cannot judge.
+void leave_out_endless(SceQuestion& question) {
+  std::erase_if(question.opponents, [&](const Strategy& opponent) {
+    const bool endless = !opponent.machine || !opponent.machine->finite();
+    if (endless) question.left_out.push_back(opponent.name);
+    return endless;
+  });
+}
+
 std::vector<Strategy> class_of(const std::string& spec, std::vector<Strategy> beliefs) {
   std::erase_if(beliefs, [](const Strategy& strategy) { return !strategy.machine; });
   if (beliefs.empty())
@@ -126,6 +135,9 @@ SceQuestion sce_question(const po::variables_map& values, const Common& common) 
     question.opponents = {names[1] == names[0] && !file ? question.policy : registry.make(names[1], payoffs)};
   else
     question.opponents = registry.roster(question.opponents_spec, payoffs);
+  const bool chosen = names.size() == 2 || values.count("opponents") != 0 || values.count("horizon") != 0;
+  if (!chosen && !question.criterion.is_finite()) leave_out_endless(question);
+  question.command = common.command;
   question.imitated = registry.roster("classics", payoffs);
   question.class_spec = text_option(values, "class", question.opponents_spec);
   if (values.count("class") != 0)

@@ -22,6 +22,8 @@ struct SceQuestion : ExaminationQuestion {
   std::string class_spec;
   bool extract = false;
   std::optional<std::string> require;
+  std::vector<std::string> left_out;  ///< of the default opponents: those that the criterion cannot judge
+  std::string command;                ///< the command line
   std::optional<std::filesystem::path> output;
 };
 

@@ -71,7 +71,7 @@ Html thresholds_section(const OpponentReport& report, const std::string& policy)
     Html bindings;
     if (threshold)
       for (const auto& words : binding_words(*threshold, policy, report.opponent)) bindings += element("div", words);
-    table.add({std::string(title_of(notion)), threshold ? to_text(threshold->set) : "-", bindings});
+    table.add({std::string(title_of(notion)), threshold ? to_readable_text(threshold->set) : "-", bindings});
   };
   add(Notion::nash, report.thresholds->nash);
   add(Notion::subgame_perfect, report.thresholds->subgame_perfect);
@@ -135,7 +135,8 @@ Html opponent_section(const SceQuestion& question, const SceReport& report, std:
   html += paragraph(fmt::format("Score {} : {} ({}).", payoff_text(one.own_score), payoff_text(one.their_score),
                                 to_string(one.method)));
   html += path_section(one);
-  if (report.opponents.size() > 1) html += heading(3, "Verdicts") + verdict_table(one.verdicts, nullptr);
+  if (report.opponents.size() > 1)
+    html += heading(3, "Verdicts") + verdict_table(one.verdicts, nullptr, one.belief.has_value());
   html += beliefs_section(one, policy, pictures);
   html += gaps_section(one, policy);
   html += thresholds_section(one, policy);

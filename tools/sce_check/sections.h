@@ -11,7 +11,8 @@
 namespace folk::tools {
 
 /// A row a notion: the word, the margin, what shows it; with `worst` also the opponent that is worst.
-Html verdict_table(const Certificates& verdicts, const std::array<std::string, all_notions.size()>* worst);
+Html verdict_table(const Certificates& verdicts, const std::array<std::string, all_notions.size()>* worst,
+                   bool believes);
 
 /// A row an opponent, with the columns that something is known for; names lead to their sections.
 Html opponent_table(const SceReport& report);

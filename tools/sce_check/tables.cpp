@@ -17,6 +17,7 @@ struct Column {
   std::string heading;
   std::function<bool(const OpponentReport&)> known;
   std::function<Html(const OpponentReport&)> cell;
+  std::string css_class = "number";
 };
 
 std::string short_title(Notion notion) {
@@ -31,16 +32,21 @@ std::string short_title(Notion notion) {
   return "?";
 }
 
-Column gap_column(Notion notion) {
+Column gap_column(Notion notion, const SceReport& report) {
+  ColumnForm form;
+  for (const auto& one : report.opponents) {
+    form.add(gap_of(one.gaps.first, notion));
+    if (notion != Notion::self_confirming_own) form.add(gap_of(one.gaps.second, notion));
+  }
   const auto known = [notion](const OpponentReport& one) {
     return gap_of(one.gaps.first, notion) || gap_of(one.gaps.second, notion);
   };
-  const auto cell = [notion](const OpponentReport& one) {
+  const auto cell = [notion, form](const OpponentReport& one) {
     const auto& theirs = gap_of(one.gaps.second, notion);
-    std::string text = gap_text(gap_of(one.gaps.first, notion));
+    std::string text = form.text(gap_of(one.gaps.first, notion));
     // The other side holds no beliefs of its own that are known.
-    if (notion != Notion::self_confirming_own) text += " / " + gap_text(theirs);
-    return sign_of(one.verdicts[static_cast<std::size_t>(notion)]) + " " + text;
+    if (notion != Notion::self_confirming_own) text += " / " + form.text(theirs);
+    return sign_of(one.verdicts[place_of(notion)], absence_words(notion, one.belief.has_value())) + " " + text;
   };
   return {short_title(notion), known, cell};
 }
@@ -48,9 +54,9 @@ Column gap_column(Notion notion) {
 Column threshold_column(const std::string& heading, std::optional<Threshold> Thresholds::*notion) {
   const auto known = [notion](const OpponentReport& one) { return one.thresholds && (*one.thresholds.*notion); };
   const auto cell = [known, notion](const OpponentReport& one) {
-    return Html(known(one) ? to_text((*one.thresholds.*notion)->set) : std::string("-"));
+    return Html(known(one) ? to_readable_text((*one.thresholds.*notion)->set) : std::string("-"));
   };
-  return {heading, known, cell};
+  return {heading, known, cell, "long"};
 }
 
 Column belief_column(const std::string& heading, std::function<std::string(const BeliefConsistency&)> text) {
@@ -74,13 +80,16 @@ void add_belief_columns(std::vector<Column>& columns) {
 
 std::vector<Column> columns_of(const SceReport& report) {
   std::vector<Column> columns;
+  ColumnForm scores;
+  for (const auto& one : report.opponents)
+    for (const double score : {one.own_score, one.their_score}) scores.add(score);
   columns.push_back({"score own : theirs", [](const OpponentReport&) { return true; },
-                     [](const OpponentReport& one) {
-                       return Html(payoff_text(one.own_score) + " : " + payoff_text(one.their_score));
+                     [scores](const OpponentReport& one) {
+                       return Html(scores.text(one.own_score) + " : " + scores.text(one.their_score));
                      }});
   add_belief_columns(columns);
   for (const Notion notion : all_notions)
-    if (notion != Notion::beliefs) columns.push_back(gap_column(notion));
+    if (notion != Notion::beliefs) columns.push_back(gap_column(notion, report));
   columns.push_back(threshold_column("Nash for d in", &Thresholds::nash));
   columns.push_back(threshold_column("perfect for d in", &Thresholds::subgame_perfect));
   columns.push_back(threshold_column("SCE for d in", &Thresholds::self_confirming_unrestricted));
@@ -94,7 +103,8 @@ std::vector<Column> columns_of(const SceReport& report) {
 
 std::string opponent_id(std::size_t opponent) { return fmt::format("opponent-{}", opponent + 1); }
 
-Html verdict_table(const Certificates& verdicts, const std::array<std::string, all_notions.size()>* worst) {
+Html verdict_table(const Certificates& verdicts, const std::array<std::string, all_notions.size()>* worst,
+                   bool believes) {
   std::vector<std::string> headings{"claim", "verdict", "gain", "shown by"};
   std::vector<std::string> classes{"claim", "verdict", "number", "long"};
   if (worst != nullptr) {
@@ -106,7 +116,8 @@ Html verdict_table(const Certificates& verdicts, const std::array<std::string, a
     const Notion notion = all_notions[n];
     const auto& verdict = verdicts[n];
     const Html claim = element("b", std::string(title_of(notion))) + " " + element("small", meaning_of(notion));
-    std::vector<Html> row{claim, word_of(verdict), verdict ? Html(margin_text(notion, *verdict)) : Html("-"),
+    std::vector<Html> row{claim, word_of(verdict, absence_words(notion, believes)),
+                          verdict ? Html(margin_text(notion, *verdict)) : Html("-"),
                           verdict ? Html(witness_words(notion, verdict->witness)) : Html()};
     // Where a claim is certified for all of them, none is worse than another.
     const bool certified = verdict && verdict->verdict == Verdict::certified;
@@ -122,7 +133,7 @@ Html opponent_table(const SceReport& report) {
   std::vector<std::string> classes{"name"};
   for (const auto& column : columns) {
     headings.push_back(column.heading);
-    classes.emplace_back("number");
+    classes.emplace_back(column.css_class);
   }
   HtmlTable table(headings, classes);
   for (std::size_t i = 0; i < report.opponents.size(); ++i) {

@@ -8,6 +8,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
 
 namespace folk::tools {
 namespace {
@@ -28,6 +31,9 @@ void write_header(std::ostream& out, const SceQuestion& question, const SceRepor
                      question.game.title, to_text(question.payoffs), question.criterion.to_string(),
                      question.class_spec, question.epsilon_belief, to_text(question.epsilon_payoff), question.depth,
                      question.seed);
+  if (!question.left_out.empty())
+    out << fmt::format("left out of the default opponents, machines without end: {}\n",
+                       fmt::join(question.left_out, ", "));
 }
 
 std::string line_of(Notion notion, const Certificate& verdict) {
@@ -38,7 +44,9 @@ std::string line_of(Notion notion, const Certificate& verdict) {
   return text + "\n";
 }
 
-std::string set_text(const std::optional<Threshold>& threshold) { return threshold ? to_text(threshold->set) : "-"; }
+std::string set_text(const std::optional<Threshold>& threshold) {
+  return threshold ? to_readable_text(threshold->set) : "-";
+}
 
 void write_belief(std::ostream& out, const BeliefConsistency& belief) {
   out << fmt::format("beliefs   {} right, distance to the truth at most {:.4g}, on average {:.4g}\n",
@@ -82,10 +90,13 @@ void write_tables(std::ostream& out, const SceReport& report) {
   const bool believes = report.belief.has_value();
   if (believes) {
     Table beliefs({"opponent", "score", "right", "sup TV", "mean TV", "settled", "effect C / D"});
+    ColumnForm scores;
+    for (const auto& one : report.opponents)
+      if (one.belief) scores.add(one.own_score);
     for (const auto& one : report.opponents) {
       if (!one.belief) continue;
       const auto settled = one.belief->settled_from();
-      beliefs.add({one.opponent, payoff_text(one.own_score), share_text(one.belief->accuracy()),
+      beliefs.add({one.opponent, scores.text(one.own_score), share_text(one.belief->accuracy()),
                    fmt::format("{:.4f}", one.belief->largest_distance),
                    fmt::format("{:.4f}", one.belief->mean_distance().value_or(0)),
                    settled ? std::to_string(*settled) : "-", effect_text(one.effect)});
@@ -93,12 +104,24 @@ void write_tables(std::ostream& out, const SceReport& report) {
     out << "\n" << beliefs.text();
   }
   Table gaps({"opponent", "Nash", "Nash of theirs", "perfect", "SCE free", "SCE class", "SCE own", "believed to be"});
-  for (const auto& one : report.opponents) {
+  const auto columns = [](const OpponentReport& one) {
     const auto& own = one.gaps.first;
-    gaps.add({one.opponent, gap_text(own.nash), gap_text(one.gaps.second.nash), gap_text(own.subgame_perfect),
-              gap_text(own.self_confirming_unrestricted), gap_text(own.self_confirming_class),
-              gap_text(own.self_confirming_own),
-              own.self_confirming_class ? own.self_confirming_class->witness.belief : "-"});
+    return std::array{&own.nash,
+                      &one.gaps.second.nash,
+                      &own.subgame_perfect,
+                      &own.self_confirming_unrestricted,
+                      &own.self_confirming_class,
+                      &own.self_confirming_own};
+  };
+  std::array<ColumnForm, 6> forms;
+  for (const auto& one : report.opponents)
+    for (std::size_t c = 0; c < forms.size(); ++c) forms[c].add(*columns(one)[c]);
+  for (const auto& one : report.opponents) {
+    std::vector<std::string> row{one.opponent};
+    for (std::size_t c = 0; c < forms.size(); ++c) row.push_back(forms[c].text(*columns(one)[c]));
+    const auto& known = one.gaps.first.self_confirming_class;
+    row.push_back(known ? known->witness.belief : "-");
+    gaps.add(std::move(row));
   }
   out << "\nwhat the policy can gain (Nash of theirs: what the opponent can), 0 in equilibrium; >= is a lower bound\n"
       << gaps.text();
@@ -107,14 +130,21 @@ void write_tables(std::ostream& out, const SceReport& report) {
 /// Where there are two deterministic machines.
 void write_thresholds(std::ostream& out, const SceReport& report) {
   Table sets({"opponent", "Nash", "subgame perfect", "self-confirming"});
+  std::vector<std::string> without;
   bool any = false;
   for (const auto& one : report.opponents) {
-    if (!one.thresholds) continue;
+    if (!one.thresholds) {
+      without.push_back(one.opponent);
+      continue;
+    }
     any = true;
     sets.add({one.opponent, set_text(one.thresholds->nash), set_text(one.thresholds->subgame_perfect),
               set_text(one.thresholds->self_confirming_unrestricted)});
   }
-  if (any) out << "\ndiscount factors at which it holds\n" << sets.text();
+  if (!any) return;
+  out << "\ndiscount factors at which it holds\n" << sets.text();
+  if (!without.empty())
+    out << fmt::format("(of two deterministic machines with an end: not against {})\n", fmt::join(without, ", "));
 }
 
 void write_extracted(std::ostream& out, const ExtractedMachine& extracted) {
@@ -151,7 +181,8 @@ void write_text(std::ostream& out, const SceQuestion& question, const SceReport&
   out << (report.opponents.size() == 1 ? "\nverdicts\n" : "\nverdicts (the worst of all opponents)\n");
   for (std::size_t n = 0; n < all_notions.size(); ++n) {
     if (!report.verdicts[n]) {
-      out << fmt::format("  {:<34} {}\n", title_of(all_notions[n]), "does not apply");
+      out << fmt::format("  {:<34} {}\n", title_of(all_notions[n]),
+                         absence_words(all_notions[n], report.belief.has_value()));
       continue;
     }
     std::string line = line_of(all_notions[n], *report.verdicts[n]);

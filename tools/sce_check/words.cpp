@@ -72,6 +72,17 @@ std::string gap_text(const std::optional<Gap>& gap) {
   return (gap->bounded() ? ">= " : "") + (exact.empty() || exact.size() > 12 ? payoff_text(gap->gain) : exact);
 }
 
+void ColumnForm::add(double value) { whole_ = whole_ && value == std::floor(value) && std::abs(value) < 1e15; }
+
+std::string ColumnForm::text(double value) const { return fmt::format("{:.{}f}", value, whole_ ? 0 : 4); }
+
+std::string ColumnForm::text(const std::optional<Gap>& gap) const {
+  if (!gap) return "-";
+  // What is too small to show is not nothing.
+  const bool vanishes = gap->gain != 0 && std::abs(gap->gain) < 5e-5;
+  return (gap->bounded() ? ">= " : "") + (vanishes ? fmt::format("{:.0e}", gap->gain) : text(gap->gain));
+}
+
 std::string meaning_of(Notion notion) {
   switch (notion) {
     case Notion::nash: return "Nobody gains by playing another strategy from the start.";
@@ -86,20 +97,25 @@ std::string meaning_of(Notion notion) {
   return "?";
 }
 
-Html word_of(const std::optional<Certificate>& verdict) {
+std::string_view absence_words(Notion notion, bool believes) {
+  const bool of_beliefs = notion == Notion::self_confirming_own || notion == Notion::beliefs;
+  return of_beliefs && !believes ? "does not apply" : "unknown";
+}
+
+Html word_of(const std::optional<Certificate>& verdict, std::string_view absent) {
   const Look look = look_of(verdict);
-  const std::string text = verdict ? verdict->text() : "does not apply";
+  const std::string text = verdict ? verdict->text() : std::string(absent);
   // How far was looked, "(depth 6)", is set apart from the word.
   const std::size_t scope = std::min(text.find(" ("), text.size());
   const Html word = element("b", Html(look.sign) + " " + text.substr(0, scope));
   return element_of("span", std::string("word ") + look.css_class, word + text.substr(scope));
 }
 
-Html sign_of(const std::optional<Certificate>& verdict) {
+Html sign_of(const std::optional<Certificate>& verdict, std::string_view absent) {
   const Look look = look_of(verdict);
   return element(
       "span", look.sign,
-      {{"class", std::string("word ") + look.css_class}, {"title", verdict ? verdict->text() : "does not apply"}});
+      {{"class", std::string("word ") + look.css_class}, {"title", verdict ? verdict->text() : std::string(absent)}});
 }
 
 std::string margin_text(Notion notion, const Certificate& verdict) {
@@ -139,7 +155,7 @@ std::string witness_words(Notion notion, const std::string& witness) {
 
 std::string how_words(Notion notion, const Gap& gap) {
   std::string text = witness_words(notion, witness_text(gap));
-  if (text.empty()) text = gap.gain > 0 ? "-" : "no deviation gains";
+  if (text.empty()) text = gap.gain > 0 ? "-" : gap.bounded() ? "none was found that gains" : "no deviation gains";
   if (!gap.tried.empty()) return fmt::format("{} (a lower bound: {})", text, gap.tried);
   if (gap.depth) return fmt::format("{} (a lower bound: depth {})", text, *gap.depth);
   return gap.exact || gap.residual == 0 ? text : fmt::format("{} (exact to {:.1g})", text, gap.residual);

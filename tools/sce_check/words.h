@@ -29,14 +29,33 @@ std::string_view title_of(Notion notion);
 /// A gap, exact where it is, with >= where it is a lower bound; "-" where it is unknown.
 std::string gap_text(const std::optional<Gap>& gap);
 
+/// How the numbers of one column are written: all whole, or all with four digits behind the point.
+class ColumnForm {
+public:
+  void add(double value);
+  void add(const std::optional<Gap>& gap) {
+    if (gap) add(gap->gain);
+  }
+
+  /// Of nothing a dash; of a lower bound with >=.
+  std::string text(double value) const;
+  std::string text(const std::optional<Gap>& gap) const;
+
+private:
+  bool whole_ = true;
+};
+
 /// The notion in a sentence.
 std::string meaning_of(Notion notion);
 
-/// One of the three words with its sign and colour, and how far was looked.
-Html word_of(const std::optional<Certificate>& verdict);
+/// What is said where there is no judgement: a notion of beliefs does not apply to a policy that tells none.
+std::string_view absence_words(Notion notion, bool believes);
+
+/// One of the three words with its sign and colour, and how far was looked; `absent` without a judgement.
+Html word_of(const std::optional<Certificate>& verdict, std::string_view absent);
 
 /// The sign alone.
-Html sign_of(const std::optional<Certificate>& verdict);
+Html sign_of(const std::optional<Certificate>& verdict, std::string_view absent);
 
 /// "2 (own)": how much is gained, or how far beliefs are from the truth.
 std::string margin_text(Notion notion, const Certificate& verdict);

@@ -145,7 +145,8 @@ TEST(Extraction, RefusesWhatItCannotBuildFrom) {
   expect_error<UsageError>([&] { extract_machines(policy, {}, matches, options); }, "0 opponents");
   auto random = policy;
   random.deterministic = false;
-  expect_error<UsageError>([&] { extract_machines(random, opponents, matches, options); }, "random numbers");
+  expect_error<UsageError>([&] { extract_machines(random, opponents, matches, options); },
+                           "is not known to be deterministic");
 }
 
 TEST(ExtractionThreads, EndsAsItsProgressWishes) {

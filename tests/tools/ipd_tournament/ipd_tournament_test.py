@@ -6,6 +6,7 @@ import io
 import json
 import os
 import re
+import shlex
 import shutil
 import subprocess
 import tempfile
@@ -422,6 +423,8 @@ class Files(unittest.TestCase):
         self.assertIsNone(full["belief_accuracy"])
         for streamed in ("scores", "cooperations", "normalised", "method_rows", "belief_accuracy"):
             del full[streamed]
+        self.assertRegex(summary.pop("folk_version"), r"^\d+\.\d+\.\d+$")
+        self.assertEqual(shlex.split(summary.pop("command")), ["ipd-tournament", "--output", str(self.folder)])
         self.assertEqual(summary, full)
 
     def test_beliefs_have_a_file_of_their_own(self):

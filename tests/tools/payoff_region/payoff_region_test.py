@@ -141,7 +141,7 @@ class Refusals(unittest.TestCase):
 
     def test_games(self):
         self.refused(2, "--game and --payoffs contradict", "--game", DILEMMA, "--payoffs", "T=5,R=3,P=1,S=0")
-        self.refused(2, "is 3x3: a tournament takes symmetric 2x2 games", "--game", ARTICLE, "--strategies", "classics")
+        self.refused(2, "is 3x3: expected a symmetric 2x2 game", "--game", ARTICLE, "--strategies", "classics")
         self.refused(2, "is not symmetric", "--game", EMPTY, "--strategies", "classics")
         self.refused(3, "no such file", "--game", "nothing.nfg")
 

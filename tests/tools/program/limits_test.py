@@ -47,6 +47,7 @@ def reading(path):
         return b""
 
 
+@unittest.skipIf(SLOW, "each program starts hundreds of times")
 class Limits(unittest.TestCase):
     def setUp(self):
         scratch = tempfile.TemporaryDirectory()
@@ -110,9 +111,8 @@ class Limits(unittest.TestCase):
         for program in RUNS:
             self.assertEqual(self.tried(program), 0)
 
-    @unittest.skipIf(SLOW, "the address sanitizer reserves terabytes")
     def test_memory(self):
-        megabytes = (16, 18, 20, 22, 24, 26, 28, 32, 36, 44, 60, 90, 140, 250, 600, 2000)
+        megabytes = (16, 20, 22, 24, 26, 28, 32, 40, 60, 120, 400, 2000)
         ends = self.under(resource.RLIMIT_AS, [n * MB for n in megabytes])
         self.assertIn(4, ends.values())
         self.assertEqual({ends[program, 2000 * MB] for program in RUNS}, {0})
@@ -126,10 +126,9 @@ class Limits(unittest.TestCase):
         self.assertIn(0, ends.values())
 
     def test_open_files(self):
-        ends = self.under(resource.RLIMIT_NOFILE, range(3, 16))
+        ends = self.under(resource.RLIMIT_NOFILE, (3, 4, 5, 6, 7, 8, 10, 12, 15))
         self.assertIn(4, ends.values())
 
-    @unittest.skipIf(SLOW, "frames are larger here")
     def test_stack(self):
         ends = self.under(resource.RLIMIT_STACK, [n * KB for n in (64, 128, 256, 512, 1024)])
         self.assertEqual({ends[program, 1024 * KB] for program in RUNS}, {0})

@@ -164,6 +164,28 @@ class Transformer(unittest.TestCase):
             self.assertEqual(again.returncode, 0, again.stderr)
 
 
+class Defaults(unittest.TestCase):
+    def test_a_criterion_without_end_leaves_out_who_has_none(self):
+        done = run("tit_for_tat", "--criterion", "discounted:0.9")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("tit_for_tat against the 14 of classics", done.stdout)
+        self.assertIn("left out of the default opponents, machines without end: soft_majo, hard_majo, gradual\n", done.stdout)
+        self.assertRegex(done.stdout, r"hard_tft +\[0\.8165 \(root of 3 d\^2 - 2\), 1\)")
+        asked = run("tit_for_tat", "--criterion", "discounted:0.9", "--opponents", "gradual")
+        self.assertEqual(asked.returncode, 2)
+
+    def test_numbers_of_a_column_have_one_form(self):
+        table = run("pavlov", "--criterion", "discounted:0.9").stdout.split("believed to be\n")[1].split("\n\n")[0]
+        for column in (1, 3, 4, 5):
+            numbers = [line.split()[column] for line in table.splitlines() if ">=" not in line]
+            self.assertEqual(len({"." in number for number in numbers}), 1, numbers)
+
+    def test_what_is_unknown_is_not_said_to_hold(self):
+        done = run('exec:"while read -r a b c; do if [ $a = move ]; then echo C; fi; done"', "pavlov", "--rounds", "3", "--repetitions", "2")
+        self.assertRegex(done.stdout, r"own beliefs +does not apply\n")
+        self.assertNotIn("no deviation gains", done.stdout)
+
+
 class BadInput(unittest.TestCase):
     def refused(self, code, *arguments):
         done = run(*arguments)
