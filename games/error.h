@@ -32,6 +32,12 @@ public:
   using Error::Error;
 };
 
+/// A question that the way in which it is computed cannot decide (exit code 4).
+class UndecidedError : public Error {
+public:
+  using Error::Error;
+};
+
 /// Input as a message shows it: at most `most` bytes, "..." where it was cut, '?' for each control byte, so that the
 /// message stays on one line whatever was read.
 std::string excerpt(std::string_view text, std::size_t most = 40);

@@ -69,12 +69,11 @@ std::pair<StageGame, std::string> any_game(const po::variables_map& values, cons
 }
 
 /// 0.9 or 9/10.
-std::optional<double> chosen_discount(const po::variables_map& values) {
+std::optional<Rational> chosen_discount(const po::variables_map& values) {
   if (values.count("discount") == 0) return std::nullopt;
   const std::string text = text_option(values, "discount");
-  const double discount =
-      text.find('/') != std::string::npos ? to_double(parse_rational(text)) : parse_number(text, "--discount", 0, 1);
-  return Criterion::discounted(discount).continuation();
+  if (text.find('/') == std::string::npos) parse_number(text, "--discount", 0, 1);  // its message knows the option
+  return Criterion::discounted(parse_rational(text)).exact_continuation();
 }
 
 std::vector<Strategy> entrants_of(const po::variables_map& values, const Payoffs& payoffs) {

@@ -93,6 +93,194 @@ TEST(EquilibriumSet, RefusesWhatIsNoDiscountFactor) {
     expect_error<UsageError>([&] { pure_equilibrium_set(game, discount); }, "expected a number above 0 and below 1");
 }
 
+// ---- Next to d = 1, and payoffs of very different sizes
+// ---------------------------------------------------------------
+
+const std::array<const char*, 8> close_to_one{
+    "0.9",          "0.999",           "0.9999992",        "0.999999999",
+    "0.9999999999", "0.9999999999999", "0.99999999999999", "0.9999999999999999"};
+
+StageGame dilemma(const Rational& t, const Rational& r, const Rational& p, const Rational& s) {
+  return game_of(2, 2, {{r, r}, {s, t}, {t, s}, {p, p}});
+}
+
+// From d = 1/2 on the dilemma's set is all that is individually rational.
+TEST(EquilibriumSet, OfTheDilemmaIsTheSameUpToOne) {
+  for (const char* discount : close_to_one) {
+    SCOPED_TRACE(discount);
+    const auto set = pure_equilibrium_set(dilemma(5, 3, 1, 0), parse_rational(discount));
+    expect_corners(set, {{1, 1}, {13.0 / 3, 1}, {3, 3}, {1, 13.0 / 3}}, 1e-14);
+    EXPECT_EQ(set.worst, (Pair{1, 1}));
+  }
+}
+
+TEST(EquilibriumSet, IsNotMadeUpNextToOne) {
+  for (const char* discount : close_to_one) {
+    const StageGame game = game_of(2, 2, {{1, -1}, {-1, 2}, {-2, 2}, {1, 0}});
+    EXPECT_TRUE(pure_equilibrium_set(game, parse_rational(discount)).corners.empty()) << discount;
+    expect_corners(pure_equilibrium_set(reference_game("deadlock").game, parse_rational(discount)), {{3, 3}}, 1e-14);
+  }
+}
+
+TEST(EquilibriumSet, SeesSmallPayoffsBesideLargeOnes) {
+  for (const char* temptation : {"1000", "1e8", "1e13", "1e17", "1e40"}) {
+    const auto set = pure_equilibrium_set(dilemma(parse_rational(temptation), 3, 1, 0), 0.6);
+    EXPECT_EQ(set.worst, (Pair{1, 1})) << temptation;
+    ASSERT_EQ(set.corners.size(), 3U);
+    EXPECT_EQ(set.corners[0], (Pair{1, 1}));
+    EXPECT_LT(set.corners[1][0], to_double(parse_rational(temptation)) * (1 + 1e-15));
+    EXPECT_EQ(set.corners[1][1], 1);
+  }
+}
+
+// A discount factor from which on cooperation pays, written with a few digits, is not lost; one that is less is.
+TEST(EquilibriumSet, TakesADecimalForTheFractionItStandsFor) {
+  const StageGame game = game_of(2, 2, {{9, 9}, {1, 10}, {10, 1}, {3, 3}});
+  for (const char* discount : {"1/7", "0.14285714285714", "0.142857142857142857", "0.1428571428571429"})
+    EXPECT_EQ(pure_equilibrium_set(game, parse_rational(discount)).corners.size(), 2U) << discount;
+  EXPECT_EQ(pure_equilibrium_set(game, parse_rational("0.142857142857")).corners.size(), 1U);
+}
+
+TEST(EquilibriumSet, RefusesWhatItCannotDecide) {
+  expect_error<UndecidedError>([] { pure_equilibrium_set(dilemma(parse_rational("1e99"), 3, 1, 0), 0.6); },
+                               "common denominator up to 2^200");
+  // Its corners are irrational and reached in small steps only.
+  const StageGame slow = game_of(2, 2, {{1, 0}, {1, 1}, {1, 0}, {2, 2}});
+  expect_error<UndecidedError>([&] { pure_equilibrium_set(slow, parse_rational("0.999999"), 200); },
+                               "discount factor 0.999999: the set still moves by");
+  // The corner p on the diagonal has p (2 - p) = d.
+  const double p = 1 + std::sqrt(0.1);
+  expect_corners(pure_equilibrium_set(slow, 0.9), {{2 - 1 / p, 1}, {1.5, 1}, {2, 2}, {p, p}}, 1e-10);
+}
+
+/// By how much of the payoffs' range a point is outside of a convex set with exact corners.
+double outside(const Pair& point, const Polygon<Rational>& shape, double range) {
+  if (shape.empty()) return INFINITY;
+  std::vector<Pair> corners;
+  for (const auto& corner : shape) corners.push_back({to_double(corner[0]), to_double(corner[1])});
+  double most = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Pair& from = corners[i];
+    const Pair& to = corners[(i + 1) % corners.size()];
+    const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
+    if (length > 0) most = std::max(most, -turn(from, to, point) / length);
+  }
+  if (corners.size() == 1) most = std::hypot(point[0] - corners[0][0], point[1] - corners[0][1]);
+  return most / range;
+}
+
+Rational unit_range(const StageGame& game) {
+  Rational most = 0;
+  const auto pairs = payoff_pairs(game);
+  for (const auto& one : pairs)
+    for (const auto& other : pairs)
+      for (const std::size_t axis : {0U, 1U}) most = std::max(most, one[axis] - other[axis]);
+  return most;
+}
+
+/// Payoffs of any size, with any offset, their range and the largest of them.
+struct WildGame {
+  StageGame game;
+  double range;
+  double largest;
+};
+
+WildGame wild_game(std::mt19937& random, std::size_t number) {
+  const std::size_t rows = 2 + number % 2;
+  const auto power = [](unsigned exponent) { return Rational(pow(10, exponent)); };
+  const Rational size = power(static_cast<unsigned>(random() % 13));
+  const Rational offset =
+      (number % 3 == 0 ? -1 : 1) * (number % 2 == 0 ? Rational(0) : power(static_cast<unsigned>(random() % 13)));
+  std::vector<std::array<Rational, 2>> payoffs(rows * 2);
+  for (auto& pair : payoffs)
+    pair = {offset + size * Rational(random() % 8), offset + size * Rational(random() % 8) / (1 + number % 2)};
+  return {game_of(rows, 2, std::move(payoffs)), to_double(size) * 7, to_double(abs(offset) + size * 7)};
+}
+
+Rational wild_discount(std::mt19937& random) {
+  const auto exponent = static_cast<unsigned>(random() % 17);
+  if (exponent < 2) return Rational(1 + random() % 99, 100);
+  return 1 - Rational(1, pow(10, exponent));
+}
+
+TEST(EquilibriumSet, NeverLeavesWhatIsFeasibleAndIndividuallyRational) {
+  std::mt19937 random(1988);
+  std::size_t found = 0;
+  for (std::size_t number = 0; number < 100; ++number) {
+    const auto [game, range, largest] = wild_game(random, number);
+    const PayoffRegion region = payoff_region(game);
+    const Rational discount = wild_discount(random);
+    try {
+      const EquilibriumSet set = pure_equilibrium_set(game, discount, 300);
+      const double tolerance = 1e-15 + 4e-16 * largest / range;  // corners are rounded to doubles
+      for (const Pair& corner : set.corners) {
+        EXPECT_LE(outside(corner, region.pure_individually_rational, range), tolerance) << number << " " << discount;
+        for (const std::size_t axis : {0U, 1U}) {
+          EXPECT_GE(corner[axis], to_double(region.pure_minmax()[axis]));
+          EXPECT_GE(corner[axis], set.worst[axis]);
+        }
+        ++found;
+      }
+    } catch (const UndecidedError&) {
+    }
+  }
+  EXPECT_GT(found, 200U);
+}
+
+// With public randomisation, whatever is an equilibrium payoff stays one when players become more patient.
+TEST(EquilibriumSet, GrowsWithPatience) {
+  std::mt19937 random(1990);
+  for (std::size_t number = 0; number < 30; ++number) {
+    const StageGame game = number % 2 == 0 ? game_of(2, 2,
+                                                     {{Rational(random() % 8), Rational(random() % 8)},
+                                                      {Rational(random() % 8), Rational(random() % 8)},
+                                                      {Rational(random() % 8), Rational(random() % 8)},
+                                                      {Rational(random() % 8), Rational(random() % 8)}})
+                                           : wild_game(random, 2 * number).game;
+    RealShape before;
+    for (const char* discount : {"0.3", "0.5", "0.8", "0.99", "0.99999", "0.9999999999", "0.9999999999999999"}) {
+      EquilibriumSet set;
+      try {
+        set = pure_equilibrium_set(game, parse_rational(discount), 300);
+      } catch (const UndecidedError&) {
+        continue;
+      }
+      const double size = set.corners.empty() ? 1 : to_double(unit_range(game));
+      for (const Pair& corner : before) {
+        ASSERT_FALSE(set.corners.empty()) << number << " " << discount;
+        for (std::size_t i = 0; i < set.corners.size() && set.corners.size() > 2; ++i) {
+          const Pair& from = set.corners[i];
+          const Pair& to = set.corners[(i + 1) % set.corners.size()];
+          EXPECT_GE(turn(from, to, corner), -1e-9 * size * std::hypot(to[0] - from[0], to[1] - from[1]))
+              << number << " " << discount;
+        }
+      }
+      before = set.corners;
+    }
+  }
+}
+
+TEST(EquilibriumSet, DoesNotDependOnTheUnitsOfPayoffsNextToOne) {
+  std::mt19937 random(1992);
+  for (std::size_t number = 0; number < 20; ++number) {
+    std::vector<std::array<Rational, 2>> plain(4);
+    std::vector<std::array<Rational, 2>> changed;
+    for (auto& pair : plain) {
+      pair = {Rational(random() % 11), Rational(random() % 11)};
+      changed.push_back({1'000'000 + pair[0] / 7, 3'000 * pair[1] - 11});
+    }
+    for (const char* discount : {"0.5", "0.99999999", "0.99999999999999"}) {
+      const RealShape expected = pure_equilibrium_set(game_of(2, 2, plain), parse_rational(discount)).corners;
+      const RealShape found = pure_equilibrium_set(game_of(2, 2, changed), parse_rational(discount)).corners;
+      ASSERT_EQ(found.size(), expected.size()) << number << " " << discount;
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        EXPECT_NEAR((found[i][0] - 1e6) * 7, expected[i][0], 1e-8);
+        EXPECT_NEAR((found[i][1] + 11) / 3e3, expected[i][1], 1e-11);
+      }
+    }
+  }
+}
+
 // ---- Against an outer approximation of our own (Judd, Yeltekin & Conklin 2003) --------------------------------------
 
 /// A convex set as the outer approximation keeps it: the most that it has in each of many directions.

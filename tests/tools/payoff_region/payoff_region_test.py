@@ -53,6 +53,22 @@ class Sets(unittest.TestCase):
         found = report("--game", DILEMMA, "--discount", "0.9")["equilibria"]
         self.assert_corners(found["corners"], [(3, 3), (9.75, 3), (9, 9), (3, 9.75)], 1e-9)
 
+    def test_next_to_one(self):
+        for discount in ("0.9999992", "0.9999999999999", "0.9999999999999999"):
+            found = report("--discount", discount)["equilibria"]
+            self.assert_corners(found["corners"], [(1, 1), (13 / 3, 1), (3, 3), (1, 13 / 3)], 1e-14)
+            self.assertEqual(found["worst"], [1, 1])
+            self.assertFalse(report("--game", EMPTY, "--discount", discount)["equilibria"]["exists"])
+            found = report("--game", ARTICLE, "--discount", discount)
+            self.assert_corners(found["equilibria"]["corners"], found["pure_individually_rational"], 1e-5)
+            for row, column in found["equilibria"]["corners"]:
+                self.assertGreaterEqual(min(row, column), 0)
+
+    def test_small_payoffs_beside_large_ones(self):
+        found = report("--quiet", "--payoffs", "T=1e13,R=3,P=1,S=0", "--discount", "0.6")["equilibria"]
+        self.assertEqual(found["worst"], [1, 1])
+        self.assertEqual(found["corners"][0], [1, 1])
+
     def test_no_pure_equilibrium(self):
         shown = text("--game", EMPTY, "--discount", "0.05")
         self.assertIn("2/5 T + 3/5 B  2/5 L + 3/5 R", shown)
@@ -138,6 +154,9 @@ class Refusals(unittest.TestCase):
         for discount in ("0", "1", "1.5", "-0.1", "nan", "inf", "x", "", "1/0", "3/2"):
             self.refused(2, "", "--discount=" + discount)
         self.refused(2, "more than once", "--discount", "0.5", "--discount", "0.6")
+
+    def test_what_cannot_be_decided(self):
+        self.refused(4, "common denominator", "--quiet", "--payoffs", "T=1e99,R=3,P=1,S=0", "--discount", "0.6")
 
     def test_games(self):
         self.refused(2, "--game and --payoffs contradict", "--game", DILEMMA, "--payoffs", "T=5,R=3,P=1,S=0")
