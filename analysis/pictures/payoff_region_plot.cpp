@@ -135,8 +135,20 @@ std::vector<Point<double>> distinct_dots(const PayoffRegionPlot& plot) {
   return kept;
 }
 
+/// True where the sign of a minmax point would cover what is written close to these payoffs.
+bool under_a_sign(const PayoffRegionPlot& plot, const Layout& layout, const Point<double>& payoffs) {
+  constexpr double size = 12;  // pixels
+  const Range x = axis_range(plot, 0);
+  const Range y = axis_range(plot, 1);
+  const auto near = [&](const Point<double>& sign) {
+    return std::abs(sign[0] - payoffs[0]) / (x[1] - x[0]) * (layout.right - layout.left) < size &&
+           std::abs(sign[1] - payoffs[1]) / (y[1] - y[0]) * (layout.bottom - layout.top) < size;
+  };
+  return near(plot.pure_minmax) || near(plot.mixed_minmax);
+}
+
 /// The names of profiles: outside the region where all are short enough for the room there, else inside.
-std::string outcome_labels(const PayoffRegionPlot& plot) {
+std::string outcome_labels(const PayoffRegionPlot& plot, const Layout& layout) {
   constexpr double room = 46;  // pixels beside the outermost profile
   std::vector<std::string> names;
   for (const auto& outcome : plot.outcomes) names.push_back(outcome.name);
@@ -147,11 +159,14 @@ std::string outcome_labels(const PayoffRegionPlot& plot) {
   for (const auto& [name, payoffs] : plot.outcomes) {
     const bool in_left_half = payoffs[0] < (x[0] + x[1]) / 2;
     const bool ends_at_point = in_left_half == outside;
+    const bool covered = under_a_sign(plot, layout, payoffs);
+    const double aside = covered ? 1.5 : 0.5;
+    const double above = covered ? 0.9 : 0.6;
     text += fmt::format(
         "set label {} at first {},{} {} offset character {},{} front font ',{}' textcolor rgb '#444444' "
         "point pt 7 ps 0.35 lc rgb '#444444'\n",
-        text_literal(name), payoffs[0], payoffs[1], ends_at_point ? "right" : "left", ends_at_point ? -0.5 : 0.5,
-        payoffs[1] < (y[0] + y[1]) / 2 ? -0.6 : 0.6, note_font);
+        text_literal(name), payoffs[0], payoffs[1], ends_at_point ? "right" : "left", ends_at_point ? -aside : aside,
+        payoffs[1] < (y[0] + y[1]) / 2 ? -above : above, note_font);
   }
   return text;
 }
@@ -172,8 +187,8 @@ std::string payoff_region_script(const PayoffRegionPlot& plot, PictureFormat for
     drawing.add_points("DOTS", distinct_dots(plot), plot.dots_name, "pt 7 ps 0.4 lc rgb '#222222'");
   drawing.add_points("PURE", {plot.pure_minmax}, "pure minmax point", "pt 4 ps 1.3 lw 2 lc rgb '#d95f02'");
   drawing.add_points("MIXED", {plot.mixed_minmax}, "mixed minmax point", "pt 2 ps 1 lw 2 lc rgb '#b2182b'");
-  return opening(format, layout, plot.title) + axes(plot, layout, format) + outcome_labels(plot) + drawing.data +
-         fmt::format("plot {}\n", fmt::join(drawing.layers, ", \\\n     "));
+  return opening(format, layout, plot.title) + axes(plot, layout, format) + outcome_labels(plot, layout) +
+         drawing.data + fmt::format("plot {}\n", fmt::join(drawing.layers, ", \\\n     "));
 }
 
 void draw(const PayoffRegionPlot& plot, const fs::path& path) {

@@ -49,6 +49,13 @@ TEST(PayoffRegionPlot, HoldsEverySetPointAndName) {
     EXPECT_TRUE(has(text, part)) << part;
 }
 
+// The sign of a minmax point would hide half of a name that is as close to it as others are to their points.
+TEST(PayoffRegionPlot, NamesStandClearOfMinmaxSigns) {
+  const std::string text = script(dilemma());
+  EXPECT_TRUE(has(text, "'D, D' at first 1,1 right offset character -1.5,-0.9"));
+  EXPECT_TRUE(has(text, "'C, C' at first 3,3 left offset character 0.5,0.6"));
+}
+
 TEST(PayoffRegionPlot, DotsOnOneSpotAreDrawnOnce) { EXPECT_EQ(lines_with(script(dilemma()), "\n2 2.5\n"), 1U); }
 
 TEST(PayoffRegionPlot, SaysWhetherThereIsAnEquilibrium) {
