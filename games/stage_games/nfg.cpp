@@ -7,6 +7,7 @@
 
 #include <charconv>
 #include <iterator>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
@@ -15,6 +16,22 @@ namespace {
 
 using Kind = NfgToken::Kind;
 using Pair = std::array<Rational, 2>;
+
+/// Numbers the actions that share a name, as Gambit does: "leave", "leave" are "leave_1", "leave_2"; a number that
+/// makes another action's name is passed over.
+void number_repeated(std::vector<std::string>& names) {
+  std::unordered_map<std::string, std::size_t> times;
+  for (const auto& name : names) ++times[name];
+  std::unordered_set<std::string> taken(names.begin(), names.end());
+  std::unordered_map<std::string, std::size_t> last;
+  for (auto& name : names) {
+    if (times.at(name) == 1) continue;
+    std::string numbered;
+    do numbered = name + "_" + std::to_string(++last[name]);
+    while (!taken.insert(numbered).second);
+    name = std::move(numbered);
+  }
+}
 
 /// Reads one file from front to back, one word ahead.
 class Reader {
@@ -99,16 +116,13 @@ private:
   std::vector<std::string> listed_actions() {
     take(Kind::open, "{ and the names of a player's actions");
     std::vector<std::string> names;
-    std::unordered_set<std::string> seen;
     while (token_.kind == Kind::text) {
-      std::string name = token_.value.empty() ? std::to_string(names.size() + 1) : token_.value;
-      if (!seen.insert(name).second)
-        refuse("two actions of a player are called '" + excerpt(name) + "'", "give each its own name");
-      names.push_back(std::move(name));
+      names.push_back(token_.value.empty() ? std::to_string(names.size() + 1) : token_.value);
       take();
     }
     if (token_.kind == Kind::close && names.empty()) refuse("a player without actions", "name at least one");
     take(Kind::close, "} after the names of a player's actions in double quotes");
+    number_repeated(names);
     return names;
   }
 

@@ -18,10 +18,9 @@ enum class NfgForm { payoff, outcome };
 inline constexpr std::size_t most_nfg_profiles = 1'000'000;
 
 /// Reads either form, whole numbers, decimals and fractions exactly. Actions without a name ("" or given by their
-/// number only) are named by their position, "1", "2", ...; the comment becomes StageGame::comment(). Outcomes' names
-/// are not kept.
-/// Throws InputFileError "source:LINE: what; what to do" on anything else, also on games of other than two players and
-/// on actions that share a name.
+/// number only) are named by their position, "1", "2", ...; actions of one player that share a name are numbered,
+/// "leave_1", "leave_2"; the comment becomes StageGame::comment(). Outcomes' names are not kept. Throws InputFileError
+/// "source:LINE: what; what to do" on anything else, also on games of other than two players.
 StageGame read_nfg(std::string_view text, const std::string& source);
 
 /// read_nfg of a file's text. Throws InputFileError also when the file cannot be read.
