@@ -1,4 +1,5 @@
 #include <folk/games/error.h>
+#include <folk/games/utf8.h>
 
 #include <fmt/format.h>
 
@@ -11,9 +12,9 @@ std::string excerpt(std::string_view text, std::size_t most) {
     // Do not cut a UTF-8 character in two: its later bytes are 10xxxxxx.
     while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) --length;
   }
-  std::string shown(text.substr(0, length));
-  for (char& c : shown)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
+  std::string shown;
+  for (const std::string_view character : utf8_characters(text.substr(0, length)))
+    shown += undrawn(character) ? "?" : std::string(character);
   return length < text.size() ? shown + "..." : shown;
 }
 

@@ -38,8 +38,8 @@ public:
   using Error::Error;
 };
 
-/// Input as a message shows it: at most `most` bytes, "..." where it was cut, '?' for each control byte, so that the
-/// message stays on one line whatever was read.
+/// Input as a message shows it: at most `most` bytes, "..." where it was cut, '?' for each character that is undrawn
+/// (utf8.h) and each byte that is none, so that the message stays on one line, and text, whatever was read.
 std::string excerpt(std::string_view text, std::size_t most = 40);
 
 /// Throws InputFileError "file: why", where `why` also says what to do.

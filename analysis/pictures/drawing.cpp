@@ -1,5 +1,6 @@
 #include <folk/analysis/pictures/drawing.h>
 #include <folk/games/outcome.h>
+#include <folk/games/utf8.h>
 
 #include <fmt/format.h>
 
@@ -164,10 +165,12 @@ private:
 }  // namespace
 
 std::string dot_text(std::string_view text) {
+  std::string line(text);
+  std::replace(line.begin(), line.end(), '\n', ' ');
   std::string out;
-  for (const char c : text) {
+  for (const char c : visible_text(line)) {
     if (c == '"' || c == '\\') out += '\\';
-    out += c == '\n' ? ' ' : c;
+    out += c;
   }
   return out;
 }

@@ -22,7 +22,7 @@ struct DrawingOptions {
 /// state that is never left). The state beyond a horizon is drawn as "…". The caption says which sense the drawing has.
 std::string to_dot(const Automaton& minimised, const DrawingOptions& options);
 
-/// Any text inside the double quotes of the DOT language, on one line.
+/// Any text inside the double quotes of the DOT language, on one line, as visible_text shows it.
 std::string dot_text(std::string_view text);
 
 }  // namespace folk

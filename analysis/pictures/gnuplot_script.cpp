@@ -20,7 +20,7 @@ std::vector<std::string_view> characters(std::string_view text) {
   for (auto& character : found) {
     if (no_character(character))
       character = "?";
-    else if (character.size() == 1 && (character[0] < ' ' || character[0] == '\x7f'))
+    else if (undrawn(character))
       character = " ";
   }
   return found;
@@ -72,6 +72,15 @@ void require_whole(std::string_view picture, PictureFormat format, const fs::pat
                                                               : "%%EOF";
   if (picture.substr(picture.size() - std::min(picture.size(), longest_tail)).find(end) == std::string_view::npos)
     throw EnvironmentError(fmt::format("{}: gnuplot did not write it to its end: is the disk full?", path.string()));
+}
+
+/// gnuplot writes a text's > as it is: after ]] it must be an entity, or the picture is no XML.
+std::string mended_markup(std::string picture) {
+  constexpr std::string_view broken = "]]>";
+  if (picture.find("<![CDATA[") != std::string::npos) return picture;
+  for (std::size_t at = 0; (at = picture.find(broken, at)) != std::string::npos;)
+    picture.replace(at, broken.size(), "]]&gt;");
+  return picture;
 }
 
 }  // namespace
@@ -135,7 +144,7 @@ void draw_script(const fs::path& path, const std::function<std::string(PictureFo
   // -d: whatever a user's own .gnuplot sets, the picture is the same.
   const std::string picture = run_renderer({"gnuplot", "-d", "-"}, script(format), package);
   require_whole(picture, format, path);
-  write_file(path, picture);
+  write_file(path, format == PictureFormat::svg ? mended_markup(picture) : picture);
 }
 
 }  // namespace folk::gnuplot

@@ -1,5 +1,6 @@
 #include <folk/games/utf8.h>
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <algorithm>
 #include <array>
@@ -65,6 +66,30 @@ TEST(Utf8, PartsAreTheWholeText) {
   // A stray byte hides nothing that follows it, and a character that is cut off falls apart.
   EXPECT_EQ(utf8_characters("\xE2é\xC3"), (Parts{"\xE2", "é", "\xC3"}));
   EXPECT_EQ(utf8_characters("\xE2\x80"), (Parts{"\xE2", "\x80"}));
+}
+
+TEST(Utf8, WhatIsNotDrawnIsShownByAnEscape) {
+  EXPECT_EQ(visible_text("tit_for_tat, ±1 … 😀 \\ \""), "tit_for_tat, ±1 … 😀 \\ \"");
+  EXPECT_EQ(visible_text("a\nb\r\tc\x1b[31m\x7f"), R"(a\nb\r\tc\x1b[31m\x7f)");
+  EXPECT_EQ(visible_text(std::string_view("\0", 1)), R"(\x00)");
+  // The terminal's other CSI, next line, the separators of lines and paragraphs, marks of direction.
+  EXPECT_EQ(visible_text("\xC2\x9B\xC2\x85\xE2\x80\xA8\xE2\x80\xA9\xE2\x80\xAE\xE2\x81\xA6"),
+            R"(\u{9b}\u{85}\u{2028}\u{2029}\u{202e}\u{2066})");
+  EXPECT_EQ(visible_text("caf\xE9 \xE2\x82"), R"(caf\xe9 \xe2\x82)");
+  EXPECT_EQ(visible_text("\xEF\xBF\xBE\xEF\xBF\xBD"), "\\u{fffe}\xEF\xBF\xBD");
+}
+
+TEST(Utf8, VisibleTextIsCutBetweenCharacters) {
+  EXPECT_EQ(visible_text("äöü", 3), "äöü");
+  EXPECT_EQ(visible_text("äöü", 2), "äö...");
+  EXPECT_EQ(visible_text("a\nb", 2), R"(a\n...)");
+  EXPECT_EQ(visible_text("a", 0), "...");
+}
+
+RC_GTEST_PROP(Utf8, VisibleTextIsDrawnAndSoIsItsOwn, (const std::string& text)) {
+  const std::string shown = visible_text(text);
+  for (const auto part : utf8_characters(shown)) RC_ASSERT(!undrawn(part));
+  RC_ASSERT(visible_text(shown) == shown);
 }
 
 }  // namespace

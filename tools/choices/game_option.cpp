@@ -2,6 +2,7 @@
 
 #include <folk/games/error.h>
 #include <folk/games/stage_games/nfg.h>
+#include <folk/games/utf8.h>
 
 namespace folk::tools {
 
@@ -20,10 +21,12 @@ ChosenGame chosen_game(const po::variables_map& values) {
   if (chosen.from_file) {
     const auto game = read_nfg_file(text_option(values, "game"));
     chosen.payoffs = symmetric_payoffs(game);
-    chosen.title = game.title().empty() ? "without a title" : excerpt(game.title(), 200);
+    chosen.title = game.title().empty() ? "without a title" : game.title();
   }
   return chosen;
 }
+
+std::string shown_title(const std::string& title) { return visible_text(title, 200); }
 
 void note_unusual_payoffs(const ChosenGame& game, const Common& common) {
   if (game.from_file) return;

@@ -9,7 +9,7 @@
 
 namespace folk::tools {
 
-/// What is played, and its title as a person reads it.
+/// What is played, and its title as its author wrote it: text shows the beginning (shown_title).
 struct ChosenGame {
   Payoffs payoffs;
   std::string title = "prisoner's dilemma";
@@ -22,6 +22,9 @@ void add_game_options(po::options_description& options);
 /// What they say; the standard dilemma by default. Throws UsageError when both are given or the game is no symmetric
 /// 2x2 game, InputFileError when the file makes no sense.
 ChosenGame chosen_game(const po::variables_map& values);
+
+/// A game's title as text and pictures show it, on one line: its first 200 characters.
+std::string shown_title(const std::string& title);
 
 /// Says on stderr where a dilemma from --payoffs rewards taking turns to defect.
 void note_unusual_payoffs(const ChosenGame& game, const Common& common);

@@ -10,6 +10,8 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <folk/games/utf8.h>
+#include <folk/tools/choices/game_option.h>
 #include <folk/tools/ipd_match/output.h>
 #include <folk/tools/program/table.h>
 
@@ -71,8 +73,9 @@ struct Page {
 };
 
 /// A name for the margin, its middle left out when it is long.
-std::string margin_name(const std::string& name) {
+std::string margin_name(const std::string& whole) {
   constexpr std::size_t most = 24;
+  const std::string name = visible_text(whole);
   if (name.size() <= most) return name;
   // No UTF-8 character is cut: its later bytes are 10xxxxxx.
   const auto inside = [&](std::size_t at) { return (static_cast<unsigned char>(name[at]) & 0xC0U) == 0x80U; };
@@ -169,15 +172,15 @@ Sheet sheet_of_stdout() { return {stdout_width(), stdout_is_coloured()}; }
 void write_text(std::ostream& out, const MatchSettings& settings, const MatchRecord& record, const Sheet& sheet) {
   const std::array<std::vector<Rational>, 2> scores{running_scores(settings, record, Seat::first),
                                                     running_scores(settings, record, Seat::second)};
-  out << record.names[0] << " against " << record.names[1] << "\n"
-      << fmt::format("{}, {}; {} rounds; noise {}; seed {}\n\n", settings.game.title, to_text(settings.game.payoffs),
-                     settings.rounds, settings.noise.probability(), settings.seed);
+  out << visible_line(record.names[0] + " against " + record.names[1])
+      << fmt::format("{}, {}; {} rounds; noise {}; seed {}\n\n", shown_title(settings.game.title),
+                     to_text(settings.game.payoffs), settings.rounds, settings.noise.probability(), settings.seed);
   const Page page = page_for(record, scores, sheet);
   for (std::size_t begin = 0; begin < settings.rounds; begin += page.moves)
     out << block(page, record, scores, begin, std::min<std::size_t>(begin + page.moves, settings.rounds)) << "\n";
   out << legend(record) << summary(settings, record, scores);
   for (std::size_t i = 0; i < record.caveats.size(); ++i)
-    out << (i == 0 ? "\n" : "") << "note: " << record.caveats[i] << "\n";
+    out << (i == 0 ? "\n" : "") << visible_line("note: " + record.caveats[i]);
 }
 
 }  // namespace folk::tools

@@ -130,7 +130,7 @@ int list(const Common& common) {
     for (const auto& [name, aliases, behaviour, reference] : registry.groups())
       json["groups"].push_back(
           {{"name", name}, {"aliases", aliases}, {"behaviour", behaviour}, {"reference", reference}});
-    std::cout << json.dump(2) << "\n";
+    std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
   }
   return done;
 }
@@ -159,10 +159,10 @@ Shown machine_text(const Strategy& strategy, const std::optional<Facts>& facts) 
 /// All that is known of an entry, a fact a line.
 void print_known(const Entry& entry, const std::string& family, const Shown& machine) {
   const auto line = [](const char* what, const std::string& text) {
-    if (!text.empty()) std::cout << fmt::format("  {:<15}{}\n", what, text);
+    if (!text.empty()) std::cout << visible_line(fmt::format("  {:<15}{}", what, text));
   };
   const Description& description = entry.description;
-  std::cout << description.name << "\n";
+  std::cout << visible_line(description.name);
   const bool from_file = family.starts_with('@');
   if (family != description.name && !from_file) line("described as", family);
   line("also known as", fmt::format("{}", fmt::join(description.aliases, ", ")));
@@ -207,7 +207,7 @@ int show(const std::string& name, const Payoffs& payoffs, const Common& common) 
   Json json = entry_json(entry);
   json["described_as"] = family;
   json["machine"] = machine.whole ? Json(machine.text) : Json(nullptr);
-  std::cout << json.dump(2) << "\n";
+  std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
   return done;
 }
 
@@ -227,9 +227,11 @@ int diff(const std::string& a, const std::string& b, Sense sense, std::size_t mo
   else
     result.found = compare(one, two, sense, most_pairs);
   switch (common.format) {
-    case Format::text: std::cout << difference_text(result) << "\n"; break;
+    case Format::text: std::cout << visible_line(difference_text(result)); break;
     case Format::csv: std::cout << difference_csv(result); break;
-    case Format::json: std::cout << difference_json(result).dump(2) << "\n"; break;
+    case Format::json:
+      std::cout << difference_json(result).dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+      break;
   }
   return done;
 }

@@ -61,7 +61,9 @@ Question question(const std::string& opponents, const Payoffs& payoffs, const po
   return asked;
 }
 
-void print_line(const char* what, const std::string& text) { std::cout << fmt::format("  {:<15}{}\n", what, text); }
+void print_line(const char* what, const std::string& text) {
+  std::cout << visible_line(fmt::format("  {:<15}{}", what, text));
+}
 
 // ---- The exact reply to one machine --------------------------------------------------------------------------------
 
@@ -82,7 +84,7 @@ std::string payoff_text(const BestReply& found) {
 
 void print_exact(const Question& asked, const std::string& opponent, const BestReply& found,
                  const std::optional<std::string>& machine) {
-  std::cout << fmt::format("best reply to {} ({})\n", opponent, asked.settings());
+  std::cout << visible_line(fmt::format("best reply to {} ({})", opponent, asked.settings()));
   print_line("payoff", payoff_text(found));
   print_line("states", fmt::format("{}", found.machine.size()));
   if (machine)
@@ -115,7 +117,7 @@ int reply_exactly(const Question& asked, const Common& common) {
   json["horizon"] = found.horizon ? Json(*found.horizon) : Json(nullptr);
   json["states"] = found.machine.size();
   json["machine"] = machine ? Json(*machine) : Json(nullptr);
-  std::cout << json.dump(2) << "\n";
+  std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
   return done;
 }
 
@@ -156,7 +158,7 @@ std::string searched_text(const SearchCertificate& certificate) {
 
 void print_found(const Question& asked, const Opponents& met, const MemoryOneReply& found) {
   const SearchCertificate& certificate = found.certificate;
-  std::cout << fmt::format("best memory-one reply found to {} ({})\n", asked.opponents, asked.settings());
+  std::cout << visible_line(fmt::format("best memory-one reply found to {} ({})", asked.opponents, asked.settings()));
   print_line("strategy", mem1(found.strategy));
   print_line("payoff", fmt::format("{:.10g}{}", found.payoff, met.names.size() > 1 ? ", the mean" : ""));
   if (met.names.size() > 1) {
@@ -218,7 +220,9 @@ int reply_memory_one(const Question& asked, const Common& common) {
   switch (common.format) {
     case Format::text: print_found(asked, met, found); break;
     case Format::csv: print_found_csv(asked, found); break;
-    case Format::json: std::cout << found_json(asked, met, found).dump(2) << "\n"; break;
+    case Format::json:
+      std::cout << found_json(asked, met, found).dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+      break;
   }
   return done;
 }

@@ -1,5 +1,6 @@
 #include <folk/tools/ipd_tournament/output.h>
 
+#include <folk/tools/choices/game_option.h>
 #include <folk/tools/ipd_tournament/invasion_output.h>
 #include <folk/tools/program/csv.h>
 #include <folk/tools/program/table.h>
@@ -81,8 +82,8 @@ std::string figures(const RankingEntry& entry, std::size_t pairs) {
 std::string settings_line(const Tournament& tournament, const TournamentLabels& labels) {
   const auto& settings = tournament.settings();
   std::string text =
-      fmt::format("game {} ({}), {}, noise {}, self-play {}, seed {}", labels.game, to_text(settings.payoffs),
-                  settings.criterion.to_string(), settings.noise.probability(),
+      fmt::format("game {} ({}), {}, noise {}, self-play {}, seed {}", shown_title(labels.game),
+                  to_text(settings.payoffs), settings.criterion.to_string(), settings.noise.probability(),
                   settings.self_play ? "included" : "left out", settings.seed);
   if (sampled(tournament)) text += fmt::format(", repetitions {}", settings.repetitions.count());
   return text;
@@ -198,8 +199,8 @@ void write_beliefs_csv(std::ostream& out, const Tournament& tournament) {
 }  // namespace
 
 void write_text(std::ostream& out, const Tournament& tournament, const TournamentLabels& labels) {
-  out << fmt::format("Round robin of {} strategies: {}{}\n", tournament.size(), labels.roster,
-                     labels.included.empty() ? "" : ", with " + labels.included);
+  out << visible_line(fmt::format("Round robin of {} strategies: {}{}", tournament.size(), labels.roster,
+                                  labels.included.empty() ? "" : ", with " + labels.included));
   out << settings_line(tournament, labels) << "\n\n";
   const bool with_error = sampled(tournament);
   std::vector<std::string> header{"rank", "strategy", "total"};
@@ -234,7 +235,7 @@ void write_text(std::ostream& out, const Tournament& tournament, const Tournamen
     out << fmt::format("v roster: total of an included entrant against the {} of the roster alone\n",
                        tournament.core());
   if (tournament.has_beliefs()) out << "belief: how often the move that it held likelier was the other's move\n";
-  for (const auto& caveat : tournament.caveats()) out << "note: " << caveat << '\n';
+  for (const auto& caveat : tournament.caveats()) out << visible_line("note: " + caveat);
   out << fmt::format("signature {:016x}\n", tournament.signature());
 }
 

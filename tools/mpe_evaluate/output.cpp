@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <folk/games/text_file.h>
+#include <folk/games/utf8.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +32,7 @@ std::string plus_minus(double half) { return std::isfinite(half) ? fmt::format("
 
 std::string settings_lines(const EvaluationSettings& settings, const Evaluation& evaluation) {
   return fmt::format("{} in {}: {} episodes of {} steps with each prey; rewards of the {}; seed {}{}\n\n",
-                     evaluation.predators, settings.scenario.name, settings.plan.episodes,
+                     visible_text(evaluation.predators), settings.scenario.name, settings.plan.episodes,
                      settings.scenario.episode_steps, to_string(settings.scenario.rewards.rule), settings.plan.seed,
                      settings.numpy_seed ? fmt::format("; placed by numpy's seed {}", *settings.numpy_seed) : "");
 }
@@ -202,7 +203,7 @@ void write_text(std::ostream& out, const EvaluationSettings& settings, const Eva
   out << settings_lines(settings, evaluation) << score_table(evaluation) << '\n'
       << reference_table(evaluation) << legend(evaluation);
   out << transformer_tables(settings, evaluation);
-  for (const auto& note : evaluation.notes) out << "note: " << note << '\n';
+  for (const auto& note : evaluation.notes) out << visible_line("note: " + note);
   out << fmt::format("signature {:016x}\n", evaluation.signature);
 }
 

@@ -11,6 +11,7 @@
 #include <folk/games/criterion.h>
 #include <folk/games/error.h>
 #include <folk/games/text_file.h>
+#include <folk/games/utf8.h>
 #include <folk/mpe/offline/learners.h>
 #include <folk/mpe/offline/resumable_training.h>
 #include <folk/mpe/players/policy_file.h>
@@ -184,7 +185,9 @@ void write_text(std::ostream& out, const OfflineTraining& training, const Learne
     for (const double loss : curve[i].losses) row.push_back(fmt::format("{:.5f}", loss));
     table.add(row);
   }
-  out << table.text() << fmt::format("\npolicy in {}\nlosses in {}\n", files.output.string(), files.curve.string());
+  out << table.text()
+      << fmt::format("\npolicy in {}\nlosses in {}\n", visible_text(files.output.string()),
+                     visible_text(files.curve.string()));
 }
 
 void write_json(std::ostream& out, const OfflineTraining& training, const std::map<std::string, std::string>& notes,

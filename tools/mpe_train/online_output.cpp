@@ -46,7 +46,7 @@ void write_text(std::ostream& out, const OnlineReport& report) {
   }
   out << table.text() << "\n";
   const auto write = [&](const std::filesystem::path& file, const char* what) {
-    if (!file.empty()) out << fmt::format("{} in {}\n", what, file.string());
+    if (!file.empty()) out << visible_line(fmt::format("{} in {}", what, file.string()));
   };
   write(report.output, "predators");
   write(report.medium_file, "medium predators");

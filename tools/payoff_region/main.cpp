@@ -64,7 +64,7 @@ std::pair<StageGame, std::string> any_game(const po::variables_map& values, cons
   }
   if (values.count("payoffs") != 0) throw UsageError("--game and --payoffs contradict: give one of them");
   StageGame game = read_nfg_file(text_option(values, "game"));
-  std::string title = game.title().empty() ? "game without a title" : excerpt(game.title(), 200);
+  std::string title = game.title().empty() ? "game without a title" : game.title();
   return {std::move(game), std::move(title)};
 }
 

@@ -1,10 +1,13 @@
 #include <folk/tools/payoff_region/output.h>
 
+#include <folk/tools/choices/game_option.h>
 #include <folk/tools/program/csv.h>
 #include <folk/tools/program/table.h>
 
 #include <fmt/format.h>
+#include <folk/games/utf8.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -14,28 +17,70 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// How many digits the payoffs of each seat are shown with.
+using Digits = std::array<int, 2>;
+constexpr int usual_digits = 9;
+constexpr int most_digits = 17;
+
 /// For the eye: exact unless that is long. -0 is 0.
-std::string text_of(const Rational& value) {
+std::string text_of(const std::string& exact, double value, int digits) {
   constexpr std::size_t longest = 15;
-  std::string text = to_text(value);
-  return text.size() <= longest ? text : fmt::format("{:.9g}", to_double(value));
+  return exact.size() <= longest ? exact : fmt::format("{:.{}g}", value, digits);
 }
 
-std::string text_of(double value) { return fmt::format("{:.9g}", std::abs(value) < 1e-13 ? 0.0 : value); }
+std::string text_of(const Rational& value, int digits) { return text_of(to_text(value), to_double(value), digits); }
+
+std::string text_of(double value, int digits) {
+  value += 0.0;
+  return text_of(fmt::format("{}", value), value, digits);
+}
 
 template <class Number>
-std::string text_of(const Point<Number>& point) {
-  return fmt::format("({}, {})", text_of(point[0]), text_of(point[1]));
+std::string text_of(const Point<Number>& point, const Digits& digits) {
+  return fmt::format("({}, {})", text_of(point[0], digits[0]), text_of(point[1], digits[1]));
+}
+
+/// Nine digits of the payoffs' range: more where the payoffs are far from 0.
+Digits digits_for(const StageGame& game) {
+  Digits digits{};
+  for (const Seat seat : both_seats) {
+    double least = INFINITY;
+    double most = -INFINITY;
+    for (std::size_t i = 0; i < game.rows(); ++i)
+      for (std::size_t j = 0; j < game.columns(); ++j) {
+        const double payoff = to_double(game.payoff(seat, i, j));
+        least = std::min(least, payoff);
+        most = std::max(most, payoff);
+      }
+    const double distance = std::max(std::abs(least), std::abs(most)) / (most - least);
+    const double more = distance > 1 && std::isfinite(distance) ? std::floor(std::log10(distance)) : 0;
+    digits[index(seat)] = static_cast<int>(std::min<double>(usual_digits + more, most_digits));
+  }
+  return digits;
+}
+
+/// As many as tell corners that differ from each other.
+template <class Number>
+Digits separating(const Polygon<Number>& polygon, Digits digits) {
+  const auto alike = [&] {
+    std::set<std::string> texts;
+    for (const auto& corner : polygon) texts.insert(text_of(corner, digits));
+    return texts.size() < polygon.size();
+  };
+  while (std::max(digits[0], digits[1]) < most_digits && alike())
+    for (int& of_seat : digits) of_seat = std::min(of_seat + 1, most_digits);
+  return digits;
 }
 
 /// Corners in lines of a readable length.
 template <class Number>
-std::string text_of(const Polygon<Number>& polygon) {
+std::string text_of(const Polygon<Number>& polygon, const Digits& least_digits) {
   constexpr std::size_t width = 100;
+  const Digits digits = separating(polygon, least_digits);
   std::string text;
   std::string line;
   for (const auto& corner : polygon) {
-    const std::string item = text_of(corner);
+    const std::string item = text_of(corner, digits);
     if (!line.empty() && line.size() + item.size() + 1 > width) {
       text += "  " + line + "\n";
       line.clear();
@@ -43,6 +88,13 @@ std::string text_of(const Polygon<Number>& polygon) {
     line += (line.empty() ? "" : " ") + item;
   }
   return text + "  " + (line.empty() ? "none" : line) + "\n";
+}
+
+bool blank(const std::string& name) { return name.find_first_not_of(" \t\r\n") == std::string::npos; }
+
+/// An action's name; one of blanks alone would not be seen.
+std::string shown_action(const std::string& name) {
+  return blank(name) ? "\"" + visible_text(name) + "\"" : visible_text(name);
 }
 
 std::string corners(std::size_t count) {
@@ -59,25 +111,27 @@ std::string equilibria_text(const RegionReport& report) {
                        most_equilibrium_actions);
   const auto& [extreme, degenerate] = *report.equilibria;
   std::string text = fmt::format("stage equilibria: {}{}\n", extreme.size(), degenerate ? " extreme ones" : "");
-  Table table({"", report.game.players()[0], report.game.players()[1], "payoffs"});
+  const auto players = shown_players(report.game);
+  const Digits digits = digits_for(report.game);
+  Table table({"", players[0], players[1], "payoffs"});
   for (const MixedProfile& profile : extreme)
     table.add({is_pure(profile) ? "  pure" : "  mixed", mixture_text(profile.row, report.game.actions(Seat::first)),
                mixture_text(profile.column, report.game.actions(Seat::second)),
-               text_of(payoffs_of(report.game, profile))});
+               text_of(payoffs_of(report.game, profile), digits)});
   text += table.text();
   if (degenerate) text += "  the game is degenerate: mixtures of these may be equilibria too, whole segments or more\n";
   return text;
 }
 
-std::string set_text(const EquilibriumSet& set) {
+std::string set_text(const EquilibriumSet& set, const Digits& digits) {
   std::string text = fmt::format("payoffs of pure-strategy subgame-perfect equilibria at d = {}: ", set.discount);
   if (set.corners.empty())
     return text +
            "none\n  there is no such equilibrium, whatever the players' threats; mixed stage equilibria are above\n";
-  return text + corners(set.corners.size()) + "\n" + text_of(set.corners) +
+  return text + corners(set.corners.size()) + "\n" + text_of(set.corners, digits) +
          fmt::format(
              "  with public randomisation; worst {}; {} steps, of which the last moved it by {:.2g} of the range\n",
-             text_of(set.worst), set.steps, set.change);
+             text_of(set.worst, digits), set.steps, set.change);
 }
 
 std::string tournament_text(const RegionTournament& tournament) {
@@ -87,7 +141,8 @@ std::string tournament_text(const RegionTournament& tournament) {
       "tournament: {} strategies ({}{}), {}, noise {}, seed {}: {} pairs at {} points; --format csv lists them\n",
       tournament.strategies, tournament.roster, tournament.included.empty() ? "" : ", with " + tournament.included,
       tournament.criterion, tournament.noise.probability(), tournament.seed, tournament.pairs.size(), distinct.size());
-  for (const auto& note : tournament.notes) text += "note: " + note + "\n";
+  text = visible_line(text);
+  for (const auto& note : tournament.notes) text += visible_line("note: " + note + "\n");
   return text;
 }
 
@@ -162,36 +217,46 @@ Json tournament_json(const std::optional<RegionTournament>& tournament) {
 
 }  // namespace
 
+std::array<std::string, 2> shown_players(const StageGame& game) {
+  auto names = game.players();
+  for (std::size_t seat = 0; seat < 2; ++seat)
+    names[seat] = blank(names[seat]) ? (seat == 0 ? "the row player" : "the column player") : visible_text(names[seat]);
+  return names;
+}
+
 std::string mixture_text(const MixedAction& mixture, const std::vector<std::string>& actions) {
   std::string text;
   for (std::size_t i = 0; i < mixture.size(); ++i) {
     if (mixture[i] == 0) continue;
     if (!text.empty()) text += " + ";
-    text += mixture[i] == 1 ? actions[i] : mixture[i].str() + " " + actions[i];
+    const std::string name = shown_action(actions[i]);
+    text += mixture[i] == 1 ? name : mixture[i].str() + " " + name;
   }
   return text;
 }
 
 void write_text(std::ostream& out, const RegionReport& report) {
   const PayoffRegion& region = report.region;
-  const auto& players = report.game.players();
-  out << fmt::format("{}: {} x {}, payoffs of ({}, {})\n\n", report.title, report.game.rows(), report.game.columns(),
-                     players[0], players[1]);
+  const auto players = shown_players(report.game);
+  const Digits digits = digits_for(report.game);
+  out << fmt::format("{}: {} x {}, payoffs of ({}, {})\n\n", shown_title(report.title), report.game.rows(),
+                     report.game.columns(), players[0], players[1]);
   out << equilibria_text(report) << '\n';
-  out << fmt::format("feasible payoffs: {}\n{}\n", corners(region.feasible.size()), text_of(region.feasible));
-  out << fmt::format("minmax point, pure:  {}\nminmax point, mixed: {}\n", text_of(region.pure_minmax()),
-                     text_of(region.mixed_minmax()));
+  out << fmt::format("feasible payoffs: {}\n{}\n", corners(region.feasible.size()), text_of(region.feasible, digits));
+  out << fmt::format("minmax point, pure:  {}\nminmax point, mixed: {}\n", text_of(region.pure_minmax(), digits),
+                     text_of(region.mixed_minmax(), digits));
   for (const Seat seat : both_seats) {
     const std::size_t i = index(seat);
-    out << fmt::format("  {} is held to {} by {}\n", players[i], text_of(region.minmax[i].mixed),
+    out << fmt::format("  {} is held to {} by {}\n", players[i], text_of(region.minmax[i].mixed, digits[i]),
                        mixture_text(region.minmax[i].punishment, report.game.actions(other(seat))));
   }
   out << fmt::format("\nindividually rational payoffs (mixed minmax): {}\n{}",
-                     corners(region.individually_rational.size()), text_of(region.individually_rational));
+                     corners(region.individually_rational.size()), text_of(region.individually_rational, digits));
   if (region.pure_individually_rational != region.individually_rational)
     out << fmt::format("individually rational payoffs (pure minmax): {}\n{}",
-                       corners(region.pure_individually_rational.size()), text_of(region.pure_individually_rational));
-  if (report.set) out << '\n' << set_text(*report.set);
+                       corners(region.pure_individually_rational.size()),
+                       text_of(region.pure_individually_rational, digits));
+  if (report.set) out << '\n' << set_text(*report.set, digits);
   if (report.tournament) out << '\n' << tournament_text(*report.tournament);
 }
 

@@ -6,6 +6,7 @@
 #include <folk/analysis/tournament/tournament.h>
 #include <folk/games/stage_games/stage_equilibria.h>
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <ostream>
@@ -36,7 +37,7 @@ struct RegionTournament {
 /// All that payoff-region found.
 struct RegionReport {
   StageGame game;
-  std::string title;                          ///< of the game, as a person reads it
+  std::string title;                          ///< of the game, as its author wrote it
   std::optional<StageEquilibria> equilibria;  ///< nothing: the game has too many actions
   PayoffRegion region;
   std::optional<EquilibriumSet> set;  ///< nothing: no discount factor was given
@@ -50,6 +51,9 @@ void write_csv(std::ostream& out, const RegionReport& report);
 
 /// One object; exact numbers are the nearest doubles, mixtures also fractions as text.
 void write_json(std::ostream& out, const RegionReport& report);
+
+/// The names of the two players as text and pictures show them, also those of players without one.
+std::array<std::string, 2> shown_players(const StageGame& game);
 
 /// "2/3 Swerve + 1/3 Straight".
 std::string mixture_text(const MixedAction& mixture, const std::vector<std::string>& actions);

@@ -1,3 +1,4 @@
+#include <folk/tools/choices/game_option.h>
 #include <folk/tools/payoff_region/output.h>
 
 #include <fmt/format.h>
@@ -42,10 +43,8 @@ std::vector<PayoffRegionPlot::Outcome> outcomes_of(const StageGame& game) {
 
 void draw_picture(const std::filesystem::path& path, const RegionReport& report) {
   PayoffRegionPlot plot;
-  plot.title = fmt::format("{}: payoffs a round", report.title);
-  plot.players = report.game.players();
-  for (std::size_t seat = 0; seat < 2; ++seat)
-    if (plot.players[seat].empty()) plot.players[seat] = seat == 0 ? "the row player" : "the column player";
+  plot.title = fmt::format("{}: payoffs a round", shown_title(report.title));
+  plot.players = shown_players(report.game);
   plot.feasible = numbers(report.region.feasible);
   plot.individually_rational = numbers(report.region.individually_rational);
   plot.pure_minmax = numbers(report.region.pure_minmax());

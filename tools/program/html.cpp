@@ -1,17 +1,17 @@
+#include <folk/games/utf8.h>
 #include <folk/tools/program/html.h>
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
 namespace folk::tools {
 namespace {
 
-/// The text with U+FFFD for what is no UTF-8: the JSON library knows it when it sees it.
+/// What has no place in a page: a blank for what is not drawn (line ends are), U+FFFD for what is no UTF-8.
 std::string well_formed(std::string_view text) {
-  using nlohmann::json;
-  const std::string written = json(std::string(text)).dump(-1, ' ', false, json::error_handler_t::replace);
-  return json::parse(written).get<std::string>();
+  std::string kept;
+  for (const std::string_view character : utf8_characters(text))
+    kept += no_character(character) ? "\xEF\xBF\xBD" : undrawn(character) && character != "\n" ? " " : character;
+  return kept;
 }
 
 }  // namespace
@@ -24,8 +24,7 @@ Html::Html(std::string_view text) {
       case '>': markup_ += "&gt;"; break;
       case '"': markup_ += "&quot;"; break;
       case '\'': markup_ += "&#39;"; break;
-      // Control characters have no place in a page.
-      default: markup_ += (static_cast<unsigned char>(c) < ' ' && c != '\n') || c == '\x7f' ? ' ' : c;
+      default: markup_ += c;
     }
   }
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <folk/games/error.h>
+#include <folk/games/utf8.h>
 #include <folk/strategies/names.h>
 #include <folk/strategies/nearest_names.h>
 
@@ -198,9 +199,9 @@ void Common::note(std::string_view message) const {
 }
 
 void say(std::string_view program, std::string_view message) {
-  std::string line = fmt::format("{}: {}", program, message);
-  std::replace(line.begin(), line.end(), '\n', ' ');
-  line += '\n';
+  std::string text(message);
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  const std::string line = fmt::format("{}: {}\n", program, visible_text(text));
   std::fwrite(line.data(), 1, line.size(), stderr);  // a stderr that is closed or full stops nothing
 }
 

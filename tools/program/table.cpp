@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace folk::tools {
 namespace {
@@ -16,7 +17,22 @@ bool numeric(const std::string& cell) {
 /// Characters, not bytes: the tables hold a few signs like ± in UTF-8.
 std::size_t width(const std::string& cell) { return utf8_characters(cell).size(); }
 
+std::vector<std::string> visible(std::vector<std::string> cells) {
+  for (auto& cell : cells) cell = visible_text(cell);
+  return cells;
+}
+
 }  // namespace
+
+std::string visible_line(std::string_view line) {
+  if (line.ends_with('\n')) line.remove_suffix(1);
+  return visible_text(line) + "\n";
+}
+
+Table::Table(std::vector<std::string> header)
+    : header_(visible(std::move(header))) {}
+
+void Table::add(std::vector<std::string> row) { rows_.push_back(visible(std::move(row))); }
 
 std::string Table::text() const {
   const std::size_t columns = header_.size();

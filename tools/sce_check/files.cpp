@@ -5,6 +5,7 @@
 #include <folk/analysis/pictures/drawing.h>
 #include <folk/analysis/pictures/render.h>
 #include <folk/games/text_file.h>
+#include <folk/games/utf8.h>
 #include <folk/strategies/machine_text.h>
 
 #include <algorithm>
@@ -23,7 +24,7 @@ std::string extracted_name(const SceQuestion& question) {
 
 std::string machine_file(const SceQuestion& question, const ExtractedMachine& extracted) {
   const std::string name = extracted_name(question);
-  return "# Plays as " + question.policy.name + " does, by sce-check --extract.\n" +
+  return "# Plays as " + visible_text(question.policy.name) + " does, by sce-check --extract.\n" +
          write_machine(name, extracted.tried[extracted.chosen].machine);
 }
 

@@ -1,11 +1,13 @@
 // What sce-check found, as text for people and as CSV.
 
+#include <folk/tools/choices/game_option.h>
 #include <folk/tools/program/csv.h>
 #include <folk/tools/program/table.h>
 #include <folk/tools/sce_check/output.h>
 #include <folk/tools/sce_check/words.h>
 
 #include <fmt/format.h>
+#include <folk/games/utf8.h>
 
 #include <algorithm>
 #include <array>
@@ -23,17 +25,17 @@ std::string effect_text(const std::optional<sct::BeliefEffect>& effect) {
 }
 
 void write_header(std::ostream& out, const SceQuestion& question, const SceReport& report) {
-  out << fmt::format("{} against {}\n", question.policy.name,
-                     report.opponents.size() == 1
-                         ? report.opponents.front().opponent
-                         : fmt::format("the {} of {}", report.opponents.size(), question.opponents_spec));
+  out << visible_line(fmt::format("{} against {}", question.policy.name,
+                                  report.opponents.size() == 1
+                                      ? report.opponents.front().opponent
+                                      : fmt::format("the {} of {}", report.opponents.size(), question.opponents_spec)));
   out << fmt::format("game {} ({}), {}, class {}, epsilon-belief {}, epsilon-payoff {}, depth {}, seed {}\n",
-                     question.game.title, to_text(question.payoffs), question.criterion.to_string(),
-                     question.class_spec, question.epsilon_belief, to_text(question.epsilon_payoff), question.depth,
-                     question.seed);
+                     shown_title(question.game.title), to_text(question.payoffs), question.criterion.to_string(),
+                     visible_text(question.class_spec), question.epsilon_belief, to_text(question.epsilon_payoff),
+                     question.depth, question.seed);
   if (!question.left_out.empty())
-    out << fmt::format("left out of the default opponents, machines without end: {}\n",
-                       fmt::join(question.left_out, ", "));
+    out << visible_line(
+        fmt::format("left out of the default opponents, machines without end: {}", fmt::join(question.left_out, ", ")));
 }
 
 std::string line_of(Notion notion, const Certificate& verdict) {
@@ -41,7 +43,7 @@ std::string line_of(Notion notion, const Certificate& verdict) {
   if (verdict.margin > 0 || verdict.verdict == Verdict::refuted)
     text += fmt::format("  {} {}", notion == Notion::beliefs ? "distance" : "gain", margin_text(notion, verdict));
   if (!verdict.witness.empty()) text += ": " + verdict.witness;
-  return text + "\n";
+  return visible_line(text);
 }
 
 std::string set_text(const std::optional<Threshold>& threshold) {
@@ -156,12 +158,13 @@ void write_extracted(std::ostream& out, const ExtractedMachine& extracted) {
                i == extracted.chosen ? "chosen" : ""});
   }
   out << tried.text();
-  out << fmt::format("on {}, which it was not built from: {} played alike, {} told\n", extracted.unseen_name,
-                     share_text(extracted.unseen.played()), share_text(extracted.unseen.told()));
+  out << visible_line(fmt::format("on {}, which it was not built from: {} played alike, {} told", extracted.unseen_name,
+                                  share_text(extracted.unseen.played()), share_text(extracted.unseen.told())));
   for (const auto& match : extracted.tried[extracted.chosen].matches.matches)
     if (match.first_difference)
-      out << fmt::format("  against {}: {} of {} moves alike, first otherwise in round {}\n", match.opponent,
-                         match.equal_played.value_or(match.equal_told), match.moves, *match.first_difference);
+      out << visible_line(fmt::format("  against {}: {} of {} moves alike, first otherwise in round {}", match.opponent,
+                                      match.equal_played.value_or(match.equal_told), match.moves,
+                                      *match.first_difference));
 }
 
 }  // namespace
@@ -186,7 +189,7 @@ void write_text(std::ostream& out, const SceQuestion& question, const SceReport&
       continue;
     }
     std::string line = line_of(all_notions[n], *report.verdicts[n]);
-    if (report.opponents.size() > 1) line.insert(line.size() - 1, fmt::format(" [{}]", report.worst[n]));
+    if (report.opponents.size() > 1) line.insert(line.size() - 1, fmt::format(" [{}]", visible_text(report.worst[n])));
     out << line;
   }
 }

@@ -26,8 +26,8 @@ Json score_json(const sct::TargetScore& score) {
 void write_text(std::ostream& out, const TrainReport& report) {
   const auto& config = report.config;
   const auto& architecture = config.training.architecture;
-  out << fmt::format("{} on {} matches: {}, {} ({}, {} rounds)\n", config.loss, report.lessons, config.data,
-                     config.roster, to_text(config.payoffs), config.rounds);
+  out << visible_line(fmt::format("{} on {} matches: {}, {} ({}, {} rounds)", config.loss, report.lessons, config.data,
+                                  config.roster, to_text(config.payoffs), config.rounds));
   if (report.added > 0) out << fmt::format("and {} of its own on the way, labelled by the teacher\n", report.added);
   out << fmt::format("network: hidden {}, layers {}, heads {}, context {}; {} steps of {} windows, seed {}\n",
                      architecture.hidden, architecture.layers, architecture.heads, config.training.windows.context,
@@ -54,7 +54,7 @@ void write_text(std::ostream& out, const TrainReport& report) {
   out << opponents.text();
   out << fmt::format("\nits belief token forced to C changes {} of its {} moves, forced to D {}\n",
                      report.effect.changed_by_c, report.effect.rounds, report.effect.changed_by_d);
-  out << fmt::format("written to {}\n", report.output);
+  out << visible_line(fmt::format("written to {}", report.output));
 }
 
 void write_csv(std::ostream& out, const TrainReport& report) {

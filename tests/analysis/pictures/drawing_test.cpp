@@ -79,6 +79,8 @@ TEST(Drawing, PastTheHorizonIsAnEllipsisWithoutEdges) {
   EXPECT_FALSE(contains(dot, "dashed"));
 }
 
+TEST(Drawing, TextIsDrawn) { EXPECT_EQ(dot_text("a\x1b[31m\xC2\x9B caf\xE9"), R"(a\\x1b[31m\\u{9b} caf\\xe9)"); }
+
 TEST(Drawing, TextIsEscaped) {
   const std::string dot = to_dot(spiteful(), {"a\"b\\c\nd", its_own});
   EXPECT_TRUE(contains(dot, "digraph \"a\\\"b\\\\c d\""));
