@@ -80,7 +80,7 @@ Shape cut(const Shape& polygon, const Place& normal, const Precise& most) {
 }
 
 /// The part of a polygon that pays both seats at least so much, give or take rounding.
-Shape at_least(const Shape& polygon, const Place& least) {
+Shape paying_at_least(const Shape& polygon, const Place& least) {
   return cut(cut(polygon, {-1, 0}, -least[0]), {0, -1}, -least[1]);
 }
 
@@ -168,12 +168,11 @@ Polygon<Precise> without_blunt_corners(Polygon<Precise> polygon, const Precise& 
 }
 
 EquilibriumIteration::EquilibriumIteration(std::vector<RepeatedProfile> profiles, const Point<Precise>& minmax,
-                                           const Precise& patience)
+                                           const Rational& discount)
     : profiles_(std::move(profiles)),
       threat_(minmax),
-      patience_(patience),
-      discount_(1 - patience),
-      weight_(patience_ / discount_) {
+      patience_(precise(1 - discount)),
+      weight_(precise((1 - discount) / discount)) {
   Places payoffs;
   for (const RepeatedProfile& profile : profiles_) payoffs.push_back(profile.payoff);
   set_ = convex_hull(std::move(payoffs));
@@ -210,7 +209,7 @@ Precise EquilibriumIteration::step() {
 std::vector<EquilibriumIteration::Supported> EquilibriumIteration::supported() {
   std::vector<Supported> found;
   std::erase_if(profiles_, [&](const RepeatedProfile& profile) {
-    Shape left = at_least(set_, least_continuation(profile));
+    Shape left = paying_at_least(set_, least_continuation(profile));
     if (left.empty()) return true;
     found.push_back({profile.payoff, profile.deviation, std::move(left)});
     return false;
@@ -229,7 +228,7 @@ void EquilibriumIteration::tighten_threat(const std::vector<Supported>& profiles
     }
     if (least) threat_[axis] = std::max(threat_[axis], *least);
   }
-  set_ = at_least(set_, threat_);
+  set_ = paying_at_least(set_, threat_);
 }
 
 std::optional<Precise> EquilibriumIteration::most_paid(const Supported& profile, const Place& normal,

@@ -19,8 +19,8 @@ struct RepeatedProfile {
 /// moment V lies in set() and pays each seat at least threat().
 class EquilibriumIteration {
 public:
-  /// From the feasible set and `minmax` on. `patience` is 1-d.
-  EquilibriumIteration(std::vector<RepeatedProfile> profiles, const Point<Precise>& minmax, const Precise& patience);
+  /// From the feasible set and `minmax` on.
+  EquilibriumIteration(std::vector<RepeatedProfile> profiles, const Point<Precise>& minmax, const Rational& discount);
 
   /// Applies the operator R once and tells how far the set moved: the farthest corner of either set from the other.
   Precise step();
@@ -55,9 +55,8 @@ private:
 
   std::vector<RepeatedProfile> profiles_;
   Point<Precise> threat_;
-  Precise patience_;
-  Precise discount_;
-  Precise weight_;  // (1-d)/d
+  Precise patience_;  // 1-d
+  Precise weight_;    // (1-d)/d
   Polygon<Precise> set_;
   bool tightened_ = false;
 };

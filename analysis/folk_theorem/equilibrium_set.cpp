@@ -111,9 +111,9 @@ EquilibriumSet pure_equilibrium_set(const StageGame& game, const Rational& disco
   auto profiles = profiles_of(game, units);
   // Where payoffs differ by parts of a thousandth, what counts as no difference must be smaller, too.
   const Precise scale = std::min(Precise(1), Precise(1000 * least_difference(profiles)));
-  const Precise patience = precise(1 - meant(discount));
-  const Precise enough = Precise(1e-12) * patience * scale;
-  EquilibriumIteration iteration(std::move(profiles), minmax, patience);
+  const Rational simplest = meant(discount);
+  const Precise enough = Precise(1e-12) * precise(1 - simplest) * scale;
+  EquilibriumIteration iteration(std::move(profiles), minmax, simplest);
   for (Precise change = 1; change > enough;) {
     if (result.steps >= most_steps)
       throw UndecidedError(fmt::format(

@@ -55,7 +55,8 @@ TEST(EquilibriumSet, OfADilemma) {
   // Cooperation against the threat of defection for ever pays from (10-9)/(10-3) on, and exactly there.
   expect_corners(pure_equilibrium_set(game, 0.142), {{3, 3}}, 1e-12);
   EXPECT_GT(pure_equilibrium_set(game, 1.0 / 7).corners.size(), 1U);
-  EXPECT_EQ(pure_equilibrium_set(game, 1e-9).corners.size(), 1U);
+  for (const double little : {1e-9, 1e-300, 5e-324}) expect_corners(pure_equilibrium_set(game, little), {{3, 3}}, 0);
+  expect_corners(pure_equilibrium_set(game_of(2, 2, {{3, 3}, {0, 5}, {5, 0}, {1, 1}}), 1e-200), {{1, 1}}, 0);
   EXPECT_EQ(pure_equilibrium_set(game, 0.999999).corners.size(), 4U);
 }
 
