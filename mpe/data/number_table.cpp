@@ -37,6 +37,8 @@ bool fit(Number number) {
 
 NumberTable::NumberTable(std::string_view bytes, const std::string& source) {
   auto header = sct::parse_npy_header(bytes, source, std::numeric_limits<std::size_t>::max());
+  // Rows are read where they lie, and there lies none.
+  if (header.fortran_order) refuse_file(source, "in Fortran order; store numpy.ascontiguousarray of it");
   shape_ = std::move(header.shape);
   type_ = header.type;
   numbers_ = bytes.substr(header.begin);

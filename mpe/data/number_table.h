@@ -15,7 +15,8 @@ namespace folk::mpe {
 class NumberTable {
 public:
   /// `bytes` are a whole file's and must outlive this; `source` (a path) is what messages call them. An array of shape
-  /// [N] is a table of one column. Throws InputFileError for what parse_npy_header refuses and for other shapes.
+  /// [N] is a table of one column. Throws InputFileError for what parse_npy_header refuses, Fortran order and
+  /// other shapes.
   NumberTable(std::string_view bytes, const std::string& source);
 
   std::size_t rows() const { return rows_; }

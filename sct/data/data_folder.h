@@ -16,7 +16,8 @@
 
 namespace folk::sct {
 
-/// Reads a folder; without names.json players and opponents have no name. The numbers may have any type of npy_file.h.
+/// Reads a folder; without names.json players and opponents have no name. The numbers may have any type and order of
+/// npy_file.h.
 /// Throws InputFileError "FILE: what; mend", with the index where there is one: for a file that is missing, cannot be
 /// read, disagrees with actions.npy in N or T, or holds a move other than 0 and 1, a reward that is not finite or an
 /// observation that is not what the moves of the round before make it; and for no trajectory at all.

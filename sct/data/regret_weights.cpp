@@ -1,4 +1,7 @@
+#include <folk/games/error.h>
 #include <folk/sct/data/regret_weights.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -33,6 +36,9 @@ void weigh_by_regret(const std::vector<Trajectory>& trajectories, const RegretTe
   std::map<std::string, std::vector<std::size_t>> situations;  // by opponent and play so far: its matches
   for (std::size_t i = 0; i < trajectories.size(); ++i) {
     const auto& match = trajectories[i];
+    if (match.opponent.empty())
+      throw UsageError(
+          fmt::format("match {} does not name its opponent, and moves are weighed opponent by opponent", i));
     earned.push_back(std::accumulate(match.rewards.begin(), match.rewards.end(), 0.0));
     const auto place = best_of_all.emplace(match.opponent, unknown).first;
     place->second = std::max(place->second, earned[i]);

@@ -21,7 +21,8 @@ struct RegretTemperatures {
 /// weights are the softmax of earned / move. All of them are multiplied by
 ///   sqrt(|best match that now plays C - best that now plays D|), what hangs on the move (1 where only one was played),
 ///   exp((best match of the situation - best match against this opponent) / situation): a spoilt situation is no model.
-/// Every opponent weighs the same as long as it may still be met. `lessons[i]` is of `trajectories[i]`.
+/// Every opponent weighs the same as long as it may still be met. `lessons[i]` is of `trajectories[i]`. The names of
+/// the opponents are all that tells them apart, though no network ever sees them: throws UsageError where one is empty.
 void weigh_by_regret(const std::vector<Trajectory>& trajectories, const RegretTemperatures& temperatures,
                      std::vector<Lesson>& lessons);
 

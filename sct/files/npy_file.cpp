@@ -183,6 +183,17 @@ NpyType type_of(const std::string& descr, const std::string& source) {
                           excerpt(descr)));
 }
 
+/// Where the number at `place` of a file in Fortran order, its first index moving fastest, stands row-major.
+std::size_t row_major(const std::vector<std::size_t>& shape, std::size_t count, std::size_t place) {
+  std::size_t found = 0;
+  for (const std::size_t size : shape) {
+    count /= size;
+    found += place % size * count;
+    place /= size;
+  }
+  return found;
+}
+
 /// The shape's product where it is no more than `most`; a shape with a 0 may have any other sizes.
 std::optional<std::size_t> product(const std::vector<std::size_t>& shape, std::size_t most = most_npy_values) {
   std::size_t count = 1;
@@ -226,9 +237,8 @@ std::string npy_place(const NpyArray& array, std::size_t value) { return npy_pla
 NpyHeader parse_npy_header(std::string_view bytes, const std::string& source, std::size_t most) {
   std::string_view numbers = bytes;
   const Dictionary dictionary = DictionaryReader(take_header(numbers, source), source).read();
-  const NpyHeader header{type_of(*dictionary.type, source), *dictionary.shape, bytes.size() - numbers.size()};
-  if (*dictionary.fortran_order && header.shape.size() > 1)
-    refuse_file(source, "in Fortran order; store numpy.ascontiguousarray of it");
+  const NpyHeader header{type_of(*dictionary.type, source), *dictionary.shape, bytes.size() - numbers.size(),
+                         *dictionary.fortran_order && dictionary.shape->size() > 1};
   most = std::min(most, largest_count);
   const auto count = product(header.shape, most);
   if (!count) refuse_file(source, fmt::format("more than {} numbers; split the array into several files", most));
@@ -245,19 +255,20 @@ NpyArray parse_npy(std::string_view bytes, const std::string& source) {
   bytes.remove_prefix(header.begin);
   NpyArray array{std::move(header.shape), {}};
   const std::size_t count = bytes.size() / bytes_of(type);
-  array.values.reserve(count);
+  array.values.resize(count);
   with_type(type, [&](auto zero) {
     using Number = decltype(zero);
     using Word = WordOf<Number>;
     for (std::size_t i = 0; i < count; ++i) {
       const auto number = std::bit_cast<Number>(load_little_endian<Word>(bytes.substr(i * sizeof(Word))));
       const auto value = static_cast<double>(number);
+      const std::size_t place = header.fortran_order ? row_major(array.shape, count, i) : i;
       const bool wrong =
           type == NpyType::boolean ? number > 1 : type == NpyType::int64 && std::abs(value) >= largest_whole;
       if (wrong)
-        refuse_file(source, fmt::format("{} at [{}]: expected {}", number, npy_place(array, i),
+        refuse_file(source, fmt::format("{} at [{}]: expected {}", number, npy_place(array, place),
                                         type == NpyType::boolean ? "a truth value, 0 or 1" : "less than 2^53"));
-      array.values.push_back(value);
+      array.values[place] = value;
     }
   });
   return array;

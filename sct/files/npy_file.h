@@ -2,7 +2,8 @@
 // Arrays as .npy files, the format of NumPy: one array of numbers with its shape.
 //
 // "\x93NUMPY", a version (1.0, 2.0 or 3.0), the header's length, the header "{'descr': '<f4', 'fortran_order': False,
-// 'shape': (3, 4), }", then the numbers, the last index moving fastest. Source of the format: NumPy's documentation of
+// 'shape': (3, 4), }", then the numbers, the last index moving fastest; in Fortran order the first one. Sizes may have
+// the L that Python 2 gave its whole numbers: (3L, 4L). Source of the format: NumPy's documentation of
 // numpy.lib.format.
 
 #include <folk/sct/files/npy_number.h>
@@ -26,9 +27,9 @@ struct NpyArray {
 /// No array that Folk reads has more numbers than this (1 GiB of doubles).
 inline constexpr std::size_t most_npy_values = std::size_t{1} << 27U;
 
-/// Reads a file's bytes; `source` (a path) is what messages call them. NaN and infinities are kept.
-/// Throws InputFileError "source: what; mend" for what is no such file, another type, the other byte order, Fortran
-/// order, a size that does not fit the shape, and whole numbers beyond 2^53, which a double does not hold.
+/// Reads a file's bytes, in either order; `source` (a path) is what messages call them. NaN and infinities are kept.
+/// Throws InputFileError "source: what; mend" for what is no such file, another type, the other byte order, a size that
+/// does not fit the shape, and whole numbers beyond 2^53, which a double does not hold.
 NpyArray parse_npy(std::string_view bytes, const std::string& source);
 
 /// parse_npy of a file's bytes. Also throws InputFileError when the file cannot be read.
@@ -45,7 +46,8 @@ void write_npy(const std::filesystem::path& path, const NpyArray& array, NpyType
 struct NpyHeader {
   NpyType type = NpyType::float64;
   std::vector<std::size_t> shape;
-  std::size_t begin = 0;  ///< bytes before the first number; all that follow are numbers
+  std::size_t begin = 0;       ///< bytes before the first number; all that follow are numbers
+  bool fortran_order = false;  ///< the first index moves fastest; false where there is only one
 };
 
 /// Reads it off a whole file's bytes, for those who read the numbers themselves. Throws what parse_npy throws, but for

@@ -146,6 +146,29 @@ void check_format(const Texts& metadata) {
                                  excerpt(found->second), policy_format));
 }
 
+/// The first key that another program has put beside those of a policy, where the checksum is right but for such keys;
+/// empty otherwise.
+std::string added_key(const Texts& metadata, const Policy& policy) {
+  Texts own = metadata_of(policy);
+  for (auto& [key, text] : own) text = metadata.at(key);
+  if (checksum(own, policy.parameters) != metadata.at(checksum_key)) return {};
+  for (const auto& [key, text] : metadata)
+    if (key != checksum_key && !own.contains(key)) return key;
+  return {};
+}
+
+/// The checksum covers all keys, those that are read over too. Throws UsageError.
+void check_checksum(const Texts& metadata, const Policy& policy) {
+  const std::string& stated = Metadata(metadata).text(checksum_key);
+  const std::string found = checksum(metadata, policy.parameters);
+  if (stated == found) return;
+  const std::string added = added_key(metadata, policy);
+  throw UsageError(fmt::format(
+      "checksum {} instead of {}: {}", found, excerpt(stated),
+      added.empty() ? "the contents were changed; take a fresh copy"
+                    : fmt::format("metadata '{}' was added; take it out or write the new checksum", excerpt(added))));
+}
+
 Policy policy_of(const SafetensorsFile& file) {
   check_format(file.metadata);
   const Metadata metadata(file.metadata);
@@ -156,10 +179,7 @@ Policy policy_of(const SafetensorsFile& file) {
   policy.action_names = parse_action_names(metadata);
   policy.training = parse_training(metadata);
   check(policy, layout);
-  const std::string found = checksum(file.metadata, policy.parameters);
-  if (metadata.text(checksum_key) != found)
-    throw UsageError(fmt::format("checksum {} instead of {}: the contents were changed; take a fresh copy", found,
-                                 excerpt(metadata.text(checksum_key))));
+  check_checksum(file.metadata, policy);
   return policy;
 }
 

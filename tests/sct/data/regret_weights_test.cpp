@@ -1,8 +1,10 @@
+#include <folk/games/error.h>
 #include <folk/sct/data/regret_weights.h>
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "games/expect_error.h"
 
 namespace folk::sct {
 namespace {
@@ -42,6 +44,15 @@ TEST(RegretWeights, MatchesOfDifferentLengthsAndOpponentsStandApart) {
   EXPECT_EQ(lessons[0].weights, std::vector<float>{1});
   EXPECT_EQ(lessons[1].weights, (std::vector<float>{1, 1}));
   EXPECT_TRUE(lessons[2].weights.empty());
+}
+
+TEST(RegretWeights, AskForTheOpponentsNames) {
+  for (const char* name : {"", "x"})
+    test::expect_error<UsageError>(
+        [&] {
+          weighed({match(name, "C", "C", {3}), match("", "D", "C", {5})}, {1, 1});
+        },
+        *name == '\0' ? "match 0 does not name its opponent" : "match 1 does not name its opponent");
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <folk/games/error.h>
 #include <folk/games/text_file.h>
+#include <folk/sct/network/network_file.h>
 #include <folk/sct/policy/policy_file.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -334,6 +335,24 @@ TEST(PolicyFile, RefusesWrongMetadata) {
   for (const auto& [key, value] : metadata.items())
     expect_header_refusal([key = key](Json& header) { header["__metadata__"].erase(key); },
                           key == "format" ? "a safetensors file, but no policy" : "metadata lacks '" + key + "'");
+}
+
+// Keys that no policy has are read over, but the checksum covers them as it covers all others.
+TEST(PolicyFile, TakesAnAddedKeyWithItsChecksum) {
+  const auto with_key = [](const std::string& text, bool with_checksum) {
+    Json header = parts().json();
+    auto& metadata = header["__metadata__"];
+    metadata["extra_key"] = text;
+    if (with_checksum) metadata["checksum"] = checksum(metadata.get<Texts>(), test::small_policy().parameters);
+    return put_together(header.dump(), parts().data);
+  };
+  EXPECT_EQ(policy_bytes(parse_policy(with_key("added by a tool", true), "p.bin")), small_bytes());
+  expect_refusal(with_key("added by a tool", false), "checksum ");
+  expect_error<InputFileError>([&] { parse_policy(with_key("added by a tool", false), "p.bin"); },
+                               ": metadata 'extra_key' was added; take it out or write the new checksum");
+  auto twice_wrong = with_key("added by a tool", false);
+  twice_wrong.back() = static_cast<char>(twice_wrong.back() ^ 1);
+  expect_error<InputFileError>([&] { parse_policy(twice_wrong, "p.bin"); }, ": the contents were changed");
 }
 
 TEST(PolicyFile, NamesTheNumberThatIsNotFinite) {
