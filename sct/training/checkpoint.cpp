@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace folk::sct {
@@ -35,6 +36,22 @@ void put_evaluation(RecordWriter& writer, const Evaluation& evaluation) {
   }
 }
 
+bool holds_out(const Evaluation& evaluation) {
+  return std::any_of(evaluation.scores.begin(), evaluation.scores.end(),
+                     [](const TargetScore& score) { return score.held_out.has_value(); });
+}
+
+/// The last section, which is there with a held-out roster alone: a run without one is the file that it always was.
+void put_held_out(RecordWriter& writer, const std::vector<Evaluation>& history) {
+  if (!std::any_of(history.begin(), history.end(), holds_out)) return;
+  for (const auto& evaluation : history)
+    for (const auto& score : evaluation.scores) {
+      const auto held_out = score.held_out.value_or(HeldOutScore{});
+      writer.real(held_out.total);
+      writer.real(held_out.accuracy.value_or(-1));
+    }
+}
+
 // ---- reading -----------------------------------------------------------------------------------------------------
 
 Lesson read_lesson(RecordReader& reader) {
@@ -51,6 +68,12 @@ Lesson read_lesson(RecordReader& reader) {
   return lesson;
 }
 
+std::optional<double> read_accuracy(RecordReader& reader) {
+  const double accuracy = reader.real();
+  if (accuracy > 1) reader.wrong("an accuracy beyond 1");
+  return accuracy >= 0 ? std::optional(accuracy) : std::nullopt;
+}
+
 Evaluation read_evaluation(RecordReader& reader) {
   Evaluation evaluation;
   evaluation.steps = reader.steps();
@@ -60,9 +83,7 @@ Evaluation read_evaluation(RecordReader& reader) {
   if (scores == 0) reader.wrong("an evaluation without scores");
   for (std::size_t i = 0; i < scores; ++i) {
     TargetScore score{reader.real(), reader.real(), std::nullopt};
-    const double accuracy = reader.real();
-    if (accuracy > 1) reader.wrong("an accuracy beyond 1");
-    if (accuracy >= 0) score.accuracy = accuracy;
+    score.accuracy = read_accuracy(reader);
     evaluation.scores.push_back(score);
   }
   return evaluation;
@@ -95,6 +116,12 @@ Checkpoint read_sections(RecordReader& reader) {
       reader.wrong(fmt::format("an evaluation at step {} out of order", evaluation.steps));
     before = evaluation.steps;
   }
+  if (!reader.done())
+    for (auto& evaluation : checkpoint.history)
+      for (auto& score : evaluation.scores) {
+        score.held_out = {reader.real(), std::nullopt};
+        score.held_out->accuracy = read_accuracy(reader);
+      }
   if (!reader.done()) reader.wrong("bytes too many at its end");
   return checkpoint;
 }
@@ -131,6 +158,7 @@ std::string checkpoint_bytes(const Checkpoint& checkpoint) {
   for (const auto& evaluation : checkpoint.history) put_evaluation(writer, evaluation);
   writer.word(checkpoint.kept);
   writer.floats(checkpoint.kept_parameters);
+  put_held_out(writer, checkpoint.history);
   return std::move(writer).sealed();
 }
 

@@ -59,13 +59,15 @@ bool TrainingRun::evaluation_due() const {
 
 void TrainingRun::evaluate(const Progress& progress) {
   const auto& parameters = trainer_.parameters();
-  auto scores = validate(policy_with(parameters), settings_.targets, roster_, settings_.validation, progress);
+  auto scores =
+      validate(policy_with(parameters), settings_.targets, roster_, settings_.held_out, settings_.validation, progress);
   history_.push_back({steps(), losses_.mean_belief(), losses_.mean_action(), std::move(scores)});
   losses_ = {};
   if (kept_parameters_.empty() || takes_over(history_.back(), history_[kept_])) {
     kept_ = history_.size() - 1;
     kept_parameters_ = parameters;
   }
+  out_of_patience_ = end_of_patience(history_, settings_.patience).has_value();
 }
 
 Policy TrainingRun::policy_with(std::vector<float> parameters) const {
@@ -97,7 +99,13 @@ void TrainingRun::restore(Checkpoint checkpoint) {
   if (checkpoint.training.optimiser.steps > settings_.steps)
     throw UsageError(fmt::format("the checkpoint is at step {}, beyond the last, {}: give more steps or start anew",
                                  checkpoint.training.optimiser.steps, settings_.steps));
+  const auto end = end_of_patience(checkpoint.history, settings_.patience);
+  if (end && checkpoint.history[*end].steps < checkpoint.training.optimiser.steps)
+    throw UsageError(fmt::format(
+        "the checkpoint is at step {}, and with a patience of {} this run ends at step {}: give more or start anew",
+        checkpoint.training.optimiser.steps, settings_.patience, checkpoint.history[*end].steps));
   trainer_.restore(std::move(checkpoint.training));
+  out_of_patience_ = end.has_value();
   losses_ = checkpoint.losses;
   added_ = std::move(checkpoint.added);
   trainer_.lessons().insert(trainer_.lessons().end(), added_.begin(), added_.end());

@@ -24,6 +24,8 @@ struct RunSettings {
   std::uint64_t evaluate_every = 250;       ///< steps; the end is evaluated in any case
   std::vector<double> targets;              ///< the grid, unscaled, at least one
   Sampling validation;                      ///< how the policy plays when it is evaluated
+  std::vector<Strategy> held_out{};         ///< whom it plays there beside its roster; empty: nobody
+  std::uint64_t patience = 0;               ///< evaluations without a higher figure that end the run; 0: none do
   std::uint64_t aggregate_every = 0;        ///< steps between additions to the data by a teacher; 0: none
   std::uint64_t aggregate_repetitions = 4;  ///< matches against each opponent whose own moves slip, beside one without
   double aggregate_slip = 0.05;             ///< their probability
@@ -40,7 +42,10 @@ public:
               std::shared_ptr<const BayesTeacher> teacher = nullptr);
 
   std::uint64_t steps() const { return trainer_.steps(); }
-  bool finished() const { return steps() >= settings_.steps; }
+  bool finished() const { return steps() >= settings_.steps || out_of_patience_; }
+
+  /// True when the run ended for want of patience, before its last step.
+  bool stopped_early() const { return out_of_patience_ && steps() < settings_.steps; }
 
   /// One step of training. Throws UsageError when the losses are no numbers any more.
   void step();
@@ -72,7 +77,7 @@ public:
   Checkpoint checkpoint() const;
 
   /// Goes on from a checkpoint of this run. Throws UsageError when it is of another run, or of a later step than this
-  /// run's last.
+  /// run's last, be it for want of patience.
   void restore(Checkpoint checkpoint);
 
 private:
@@ -89,6 +94,7 @@ private:
   std::vector<Lesson> added_;
   std::vector<Evaluation> history_;
   std::size_t kept_ = 0;
+  bool out_of_patience_ = false;
   std::vector<float> kept_parameters_;
 };
 

@@ -18,6 +18,11 @@ std::vector<TargetScore> validate(const Policy& policy, const std::vector<double
                                   const std::vector<Strategy>& roster, const Sampling& sampling,
                                   const Progress& progress = nullptr);
 
+/// The same against each of a held-out roster too, in matches of their own; an empty one is none.
+std::vector<TargetScore> validate(const Policy& policy, const std::vector<double>& targets,
+                                  const std::vector<Strategy>& roster, const std::vector<Strategy>& held_out,
+                                  const Sampling& sampling, const Progress& progress = nullptr);
+
 /// The policy with its own target.
 RosterScore play_policy(const Policy& policy, const std::vector<Strategy>& roster, const Sampling& sampling,
                         const Progress& progress = nullptr);

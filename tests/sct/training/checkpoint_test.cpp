@@ -60,6 +60,23 @@ TEST(Checkpoint, KeepsEverything) {
   EXPECT_EQ(checkpoint_bytes(back), small_bytes());
 }
 
+TEST(Checkpoint, KeepsWhatIsHeldOut) {
+  auto checkpoint = small_checkpoint();
+  for (auto& evaluation : checkpoint.history)
+    for (auto& score : evaluation.scores) score.held_out = {score.total / 2, score.accuracy};
+  const auto bytes = checkpoint_bytes(checkpoint);
+  EXPECT_EQ(parse_checkpoint(bytes, "c").history, checkpoint.history);
+  EXPECT_EQ(bytes.size(), small_bytes().size() + 4 * 2 * 8);
+  checkpoint.history[1].scores[0].held_out->accuracy = 1.5;
+  expect_refusal(checkpoint_bytes(checkpoint), "damaged checkpoint: an accuracy");
+}
+
+// A checkpoint of a run that holds nobody out is what it was before anybody could.
+TEST(Checkpoint, IsTheFileOfTheCorpus) {
+  const fs::path file = FOLK_SOURCE_DIR "/tests/fuzz/corpus/checkpoint/small";
+  EXPECT_EQ(read_file(file, largest_checkpoint), small_bytes());
+}
+
 TEST(Checkpoint, KeepsTheEmptyBeginning) {
   const auto bytes = checkpoint_bytes({});
   EXPECT_EQ(checkpoint_bytes(parse_checkpoint(bytes, "c")), bytes);

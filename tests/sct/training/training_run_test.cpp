@@ -35,7 +35,7 @@ TrainingSettings small_settings(unsigned threads = 1) {
 }
 
 TrainingRun run_of(std::uint64_t steps = 10, unsigned threads = 1, std::string description = "seed = 1\n",
-                   std::uint64_t aggregate_every = 0) {
+                   std::uint64_t aggregate_every = 0, std::uint64_t patience = 0, std::vector<Strategy> held_out = {}) {
   const auto roster = Registry::standard().roster("tit_for_tat,all_d,pavlov");
   std::vector<Lesson> lessons;
   for (const auto& trajectory : tournament_data(roster, {}, rounds)) lessons.push_back(imitation(trajectory));
@@ -51,6 +51,8 @@ TrainingRun run_of(std::uint64_t steps = 10, unsigned threads = 1, std::string d
   settings.description = std::move(description);
   settings.aggregate_every = aggregate_every;
   settings.aggregate_repetitions = 2;
+  settings.patience = patience;
+  settings.held_out = std::move(held_out);
   std::shared_ptr<const BayesTeacher> teacher;
   if (aggregate_every > 0) teacher = std::make_shared<const BayesTeacher>(roster, Payoffs{}, rounds, 20);
   TrainingRecord record;
@@ -196,6 +198,69 @@ TEST(TrainingRunThreads, EndTheirEvaluationsAsTheirProgressWishes) {
       }
       EXPECT_EQ(run.history().size(), 1U);
     });
+}
+
+TEST(TrainingRun, WhatIsHeldOutIsPlayedAndNotLearnt) {
+  const auto held_out = Registry::standard().roster("all_c,per_cd");
+  const auto begin = [&](std::uint64_t patience = 0) { return run_of(10, 1, "seed = 1\n", 0, patience, held_out); };
+  auto plain = run_of();
+  auto run = begin();
+  go_on(plain, 10);
+  go_on(run, 10);
+  ASSERT_EQ(run.history().size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& evaluation = run.history()[i];
+    EXPECT_EQ(evaluation.action_loss, plain.history()[i].action_loss);
+    for (std::size_t k = 0; k < 2; ++k) {
+      EXPECT_EQ(evaluation.scores[k].total, plain.history()[i].scores[k].total);
+      ASSERT_TRUE(evaluation.scores[k].held_out);
+      EXPECT_LE(evaluation.scores[k].held_out->total, 2 * 5.0 * rounds);
+    }
+    EXPECT_LE(best_target(evaluation).held_out->total, best_target(run.history()[run.kept()]).held_out->total);
+  }
+  EXPECT_EQ(run.policy().training.return_target, best_target(run.history()[run.kept()]).target);
+  for (const std::uint64_t stop : {4, 7, 9}) {
+    auto first = begin();
+    go_on(first, stop);
+    auto second = begin();
+    second.restore(parse_checkpoint(checkpoint_bytes(first.checkpoint()), "saved"));
+    go_on(second, 10);
+    EXPECT_EQ(second.history(), run.history());
+    EXPECT_EQ(policy_bytes(second.policy()), policy_bytes(run.policy()));
+  }
+}
+
+TEST(TrainingRun, EndsForWantOfPatienceAtTheSameStepHoweverItIsStopped) {
+  const auto patient = [](std::uint64_t patience) { return run_of(100, 1, "seed = 1\n", 0, patience); };
+  const auto to_the_end = [](TrainingRun& run) {
+    while (!run.finished()) {
+      run.step();
+      if (run.evaluation_due()) run.evaluate();
+    }
+  };
+  auto whole = patient(2);
+  to_the_end(whole);
+  ASSERT_TRUE(whole.stopped_early());
+  const std::uint64_t end = whole.steps();
+  EXPECT_EQ(end % 4, 0U);
+  EXPECT_EQ(end_of_patience(whole.history(), 2), whole.history().size() - 1);
+  for (const std::uint64_t stop : {std::uint64_t{3}, end - 1, end}) {
+    auto first = patient(2);
+    go_on(first, stop);
+    auto second = patient(2);
+    second.restore(parse_checkpoint(checkpoint_bytes(first.checkpoint()), "saved"));
+    to_the_end(second);
+    EXPECT_EQ(second.steps(), end);
+    EXPECT_EQ(policy_bytes(second.policy()), policy_bytes(whole.policy()));
+  }
+  auto more = patient(3);  // whoever has more patience goes on
+  more.restore(whole.checkpoint());
+  EXPECT_FALSE(more.finished());
+  more.step();
+  auto less = patient(2);
+  expect_error<UsageError>([&] { less.restore(more.checkpoint()); },
+                           "with a patience of 2 this run ends at step " + std::to_string(end));
+  EXPECT_FALSE(run_of(end).stopped_early());
 }
 
 TEST(TrainingRun, RefusesTheCheckpointsOfOtherRuns) {
