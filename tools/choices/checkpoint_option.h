@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <folk/games/error.h>
 
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -18,16 +19,18 @@ inline void add_checkpoint_options(po::options_description& options) {
   add("resume", "go on from the newest checkpoint in the folder");
 }
 
-/// The folder of --checkpoint, or null; its checkpoints and --resume must go together. `Folder` is a
-/// sct::CheckpointFiles.
+/// The folder of --checkpoint, or the one called `inside` in it, or null; its checkpoints and --resume must go
+/// together. `Folder` is a sct::CheckpointFiles.
 template <class Folder>
-std::unique_ptr<Folder> checkpoint_folder(const po::variables_map& values, const Common& common) {
+std::unique_ptr<Folder> checkpoint_folder(const po::variables_map& values, const Common& common,
+                                          const std::filesystem::path& inside = {}) {
   const bool resume = values.count("resume") != 0;
   if (values.count("checkpoint") == 0) {
     if (resume) throw UsageError("--resume needs the folder of the checkpoints: give --checkpoint DIR");
     return nullptr;
   }
-  auto folder = std::make_unique<Folder>(text_option(values, "checkpoint"));
+  const std::filesystem::path path = text_option(values, "checkpoint");
+  auto folder = std::make_unique<Folder>(inside.empty() ? path : path / inside);
   const auto found = folder->checkpoints();
   if (!found.empty() && !resume)
     throw UsageError(

@@ -75,6 +75,16 @@ void refuse_options_as_values(const po::parsed_options& parsed, const po::option
   }
 }
 
+/// A misspelt option, with what may have been meant.
+std::string unknown_option_text(const po::unknown_option& error, const Program& program) {
+  std::vector<NameCandidate> candidates;
+  for (const auto& option : program.options.options())
+    candidates.push_back({name_key(option->long_name()), "--" + option->long_name()});
+  const auto near = nearest_names(error.get_option_name(), candidates);
+  return fmt::format("{}{}; see {} --help", error.what(),
+                     near.empty() ? "" : fmt::format(": did you mean {}?", fmt::join(near, ", ")), program.name);
+}
+
 po::variables_map parse(int argc, char** argv, const Program& program) {
   po::options_description options = program.options;
   options.add(program.arguments).add_options()(unexpected, po::value<std::vector<std::string>>(), "");
@@ -103,15 +113,6 @@ void open_standard_streams() {
       const int opened = ::open("/dev/null", number == 0 ? O_WRONLY : O_RDONLY);  // as before, it fails to be used
       if (opened >= 0 && opened != number) ::close(opened);
     }
-}
-
-/// What an option that there is not may have been meant for.
-std::string meant(const std::string& given, const po::options_description& options) {
-  std::vector<NameCandidate> candidates;
-  for (const auto& option : options.options())
-    candidates.push_back({name_key(option->long_name()), "--" + option->long_name()});
-  const auto names = nearest_names(given, candidates);
-  return names.empty() ? std::string() : fmt::format(": did you mean {}?", fmt::join(names, ", "));
 }
 
 /// Programs die without a word where it ends.
@@ -177,10 +178,7 @@ int run(int argc, char** argv, Program program, const std::vector<std::string>& 
       return complain(program, fmt::format("standard output cannot be written: {}", std::strerror(reason)), failed);
     return code;
   } catch (const po::unknown_option& error) {
-    return complain(
-        program,
-        fmt::format("{}{}; see {} --help", error.what(), meant(error.get_option_name(), program.options), program.name),
-        wrong_usage);
+    return complain(program, unknown_option_text(error, program), wrong_usage);
   } catch (const po::error& error) {
     return complain(program, fmt::format("{}; see {} --help", error.what(), program.name), wrong_usage);
   } catch (const UsageError& error) {

@@ -5,6 +5,8 @@
 #include <folk/games/criterion.h>
 #include <folk/games/error.h>
 #include <folk/games/text_file.h>
+#include <folk/strategies/names.h>
+#include <folk/strategies/nearest_names.h>
 
 #include <algorithm>
 #include <charconv>
@@ -218,6 +220,13 @@ const std::vector<Key>& keys() {
       whole_key(
           "validation-seed", "of the evaluations' random numbers", 0, any,
           [](auto& c) -> auto& { return c.validation_seed; }),
+      text_key(
+          "held-out",
+          "SPEC of opponents of the evaluations that training never meets; what is earned against them decides",
+          [](auto& c) -> auto& { return c.held_out; }, any_text),
+      whole_key(
+          "patience", "evaluations in a row without a higher total after which the run ends (0: it does not)", 0,
+          most_steps, [](auto& c) -> auto& { return c.patience; }),
       whole_key(
           "checkpoint-every", "steps between checkpoints", 1, most_steps,
           [](auto& c) -> auto& { return c.checkpoint_every; }),
@@ -231,6 +240,14 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
+[[noreturn]] void refuse_key(const std::string& name) {
+  std::vector<NameCandidate> candidates;
+  for (const auto& key : keys()) candidates.push_back({name_key(key.name), key.name});
+  const auto near = nearest_names(name, candidates);
+  throw UsageError(fmt::format("unknown key '{}'{}; 'sct-train --help' lists them all", excerpt(name),
+                               near.empty() ? "" : fmt::format(": did you mean {}?", fmt::join(near, ", "))));
+}
+
 void take_line(TrainConfig& config, std::string_view line, std::set<std::string>& seen) {
   line = trimmed(line.substr(0, line.find('#')));
   if (line.empty()) return;
@@ -238,8 +255,7 @@ void take_line(TrainConfig& config, std::string_view line, std::set<std::string>
   if (sign == std::string_view::npos) throw UsageError(fmt::format("'{}': expected key = value", excerpt(line)));
   const std::string name(trimmed(line.substr(0, sign)));
   const auto key = std::find_if(keys().begin(), keys().end(), [&](const Key& k) { return k.name == name; });
-  if (key == keys().end())
-    throw UsageError(fmt::format("unknown key '{}'; 'sct-train --help' lists them all", excerpt(name)));
+  if (key == keys().end()) refuse_key(name);
   if (!seen.insert(name).second) throw UsageError(fmt::format("{} is given twice; give it once", name));
   key->set(config, std::string(trimmed(line.substr(sign + 1))), name);
 }
@@ -275,14 +291,20 @@ TrainConfig train_config(const po::variables_map& values, const std::filesystem:
   if (!file.empty()) take_file(config, file);
   for (const auto& key : keys())
     if (values.count(key.name) != 0) key.set(config, values[key.name].as<std::string>(), "--" + key.name);
-  if (config.validation_seed == config.training.seed)
-    throw UsageError(fmt::format("validation-seed and seed are both {}: evaluations need numbers of their own",
-                                 config.validation_seed));
   if (config.has_teacher() && config.data_is_folder())
     throw UsageError("a teacher needs matches against its roster: give data = tournament or best-reply");
+  if (config.regret_temperature > 0 && config.data == "best-reply")
+    throw UsageError("regret-temperature weighs moves that are imitated; a teacher weighs best replies: leave it out");
   if (config.targets.empty() && !(config.payoffs == Payoffs{}))
     throw UsageError(
         fmt::format("which returns to ask for in {}? Give targets, as in 260:360:20", to_text(config.payoffs)));
+  return config;
+}
+
+TrainConfig with_seed(TrainConfig config, std::uint64_t seed) {
+  if (config.validation_seed == seed)
+    throw UsageError(fmt::format("validation-seed and seed are both {}: evaluations need numbers of their own", seed));
+  config.training.seed = seed;
   return config;
 }
 
@@ -330,6 +352,7 @@ sct::RunSettings run_settings(const TrainConfig& config, unsigned threads) {
   settings.aggregate_every = config.aggregate_every;
   settings.aggregate_repetitions = config.aggregate_repetitions;
   settings.aggregate_slip = config.aggregate_slip;
+  settings.patience = config.patience;
   auto& validation = settings.validation;
   validation.payoffs = config.payoffs;
   validation.criterion = Criterion::finite(config.rounds);

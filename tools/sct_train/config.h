@@ -33,22 +33,29 @@ struct TrainConfig {
   sct::TrainingSettings training;  ///< all but architecture.time_rows, mode and decay_steps, which follow from the rest
   std::uint64_t steps = 10'000;
   std::uint64_t evaluate_every = 250;
-  double validation_noise = 0.01;
-  std::uint64_t validation_repetitions = 4;
+  double validation_noise = 0;
+  std::uint64_t validation_repetitions = 1;
   std::uint64_t validation_seed = 1'000'003;
+  std::string held_out = "none";  ///< or a SPEC
+  std::uint64_t patience = 0;     ///< evaluations; 0: without end
 
   /// A Bayes-optimal teacher labels the data, or part of them.
   bool has_teacher() const { return data == "best-reply" || aggregate_every > 0; }
 
   bool data_is_folder() const { return data != "tournament" && data != "best-reply"; }
+
+  bool holds_out() const { return held_out != "none"; }
 };
 
 /// Adds an option for each key, its help with the default.
 void add_train_options(po::options_description& options);
 
 /// The defaults, then the file's lines "key = value" ('#' begins a comment), then the options that are given.
-/// Throws InputFileError "FILE:LINE: ..." and UsageError.
+/// Throws InputFileError "FILE:LINE: ..." and UsageError. The seed is checked by with_seed.
 TrainConfig train_config(const po::variables_map& values, const std::filesystem::path& file);
+
+/// The config with this seed. Throws UsageError when the evaluations draw from the same.
+TrainConfig with_seed(TrainConfig config, std::uint64_t seed);
 
 /// Fills in what follows from the rounds of the data's matches. Throws UsageError when the config says another number.
 void settle(TrainConfig& config, std::uint64_t rounds);

@@ -75,7 +75,13 @@ TrainData train_data(TrainConfig& config, const std::vector<Strategy>& roster) {
   train.lessons.reserve(data.size());
   for (const auto& trajectory : data)
     train.lessons.push_back(best_reply ? train.teacher->label(trajectory) : sct::imitation(trajectory));
-  if (config.regret_temperature > 0 && !best_reply)
+  for (const auto& trajectory : data) train.opponents.insert(trajectory.opponent);
+  if (config.regret_temperature > 0 && train.opponents.contains(""))
+    throw UsageError(fmt::format(
+        "regret-temperature weighs moves opponent by opponent, and {} does not name them: add names.json, or "
+        "leave regret-temperature out",
+        excerpt(config.data, 1000)));
+  if (config.regret_temperature > 0)
     sct::weigh_by_regret(data, {config.regret_temperature, config.situation_temperature}, train.lessons);
   return train;
 }

@@ -9,6 +9,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <set>
+#include <string>
 #include <vector>
 
 namespace folk::tools {
@@ -16,6 +18,7 @@ namespace folk::tools {
 /// What a run learns from at its beginning, and who labels what it meets later.
 struct TrainData {
   std::vector<sct::Lesson> lessons;
+  std::set<std::string> opponents;                   ///< whom the players of the lessons met; "": one without a name
   std::shared_ptr<const sct::BayesTeacher> teacher;  ///< null where the config has none
 };
 

@@ -1,24 +1,47 @@
 #include <folk/tools/sct_train/output.h>
 
 #include <folk/tools/program/table.h>
+#include <folk/tools/sct_train/evaluation_csv.h>
+#include <folk/tools/sct_train/report_json.h>
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
+#include <optional>
 
 namespace folk::tools {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string percent(const std::optional<double>& share) {
   return share ? fmt::format("{:.2f} %", 100 * *share) : std::string("-");
 }
 
-Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+std::string opponents_table(const std::vector<Strategy>& roster, const sct::RosterScore& score) {
+  Table opponents({"opponent", "score"});
+  for (std::size_t i = 0; i < roster.size(); ++i) opponents.add({roster[i].name, fmt::format("{}", score.scores[i])});
+  return opponents.text();
+}
 
-Json score_json(const sct::TargetScore& score) {
-  return {{"target", score.target}, {"total", score.total}, {"belief_accuracy", number(score.accuracy)}};
+std::string evaluations_table(const TrainReport& report) {
+  const bool held_out = report.config.holds_out();
+  std::vector<std::string> header{"step", "belief loss", "action loss", "target", "total", "beliefs right"};
+  if (held_out) header.insert(header.end(), {"held out", "beliefs right"});
+  header.push_back("kept");
+  Table evaluations(header);
+  for (std::size_t i = 0; i < report.history.size(); ++i) {
+    const auto& evaluation = report.history[i];
+    const auto& best = sct::best_target(evaluation);
+    std::vector<std::string> row{fmt::to_string(evaluation.steps),
+                                 fmt::format("{:.4f}", evaluation.belief_loss),
+                                 fmt::format("{:.4f}", evaluation.action_loss),
+                                 fmt::format("{}", best.target),
+                                 fmt::format("{:.2f}", best.total),
+                                 percent(best.accuracy)};
+    if (best.held_out)
+      row.insert(row.end(), {fmt::format("{:.2f}", best.held_out->total), percent(best.held_out->accuracy)});
+    row.push_back(i == report.kept ? "kept" : "");
+    evaluations.add(row);
+  }
+  return evaluations.text();
 }
 
 }  // namespace
@@ -34,68 +57,33 @@ void write_text(std::ostream& out, const TrainReport& report) {
                      config.steps, config.training.windows.windows, config.training.seed);
   out << fmt::format("evaluations: targets {}, noise {}, repetitions {}, seed {}\n\n", config.targets,
                      config.validation_noise, config.validation_repetitions, config.validation_seed);
-  Table evaluations({"step", "belief loss", "action loss", "target", "total", "beliefs right", "kept"});
-  for (std::size_t i = 0; i < report.history.size(); ++i) {
-    const auto& evaluation = report.history[i];
-    const auto& best = sct::best_target(evaluation);
-    evaluations.add({fmt::to_string(evaluation.steps), fmt::format("{:.4f}", evaluation.belief_loss),
-                     fmt::format("{:.4f}", evaluation.action_loss), fmt::format("{}", best.target),
-                     fmt::format("{:.2f}", best.total), percent(best.accuracy), i == report.kept ? "kept" : ""});
-  }
-  out << evaluations.text() << "\n";
+  out << evaluations_table(report) << "\n";
+  if (report.stopped_early)
+    out << fmt::format("stopped at step {}: {} evaluations without a higher total\n", report.history.back().steps,
+                       config.patience);
   const auto& kept = report.history[report.kept];
-  out << fmt::format("kept: step {} with target {}, the highest total of all evaluations\n", kept.steps,
-                     sct::best_target(kept).target);
+  out << fmt::format("kept: step {} with target {}, the highest {}total of all evaluations\n", kept.steps,
+                     sct::best_target(kept).target, config.holds_out() ? "held-out " : "");
   out << fmt::format("without noise it earns {}, {} of its beliefs right:\n\n", report.clean.total,
                      percent(report.clean.belief_accuracy));
-  Table opponents({"opponent", "score"});
-  for (std::size_t i = 0; i < report.roster.size(); ++i)
-    opponents.add({report.roster[i].name, fmt::format("{}", report.clean.scores[i])});
-  out << opponents.text();
+  out << opponents_table(report.roster, report.clean);
+  if (report.clean_held_out)
+    out << fmt::format("\nagainst those held out it earns {}, {} of its beliefs right:\n\n",
+                       report.clean_held_out->total, percent(report.clean_held_out->belief_accuracy))
+        << opponents_table(report.held_out, *report.clean_held_out);
   out << fmt::format("\nits belief token forced to C changes {} of its {} moves, forced to D {}\n",
                      report.effect.changed_by_c, report.effect.rounds, report.effect.changed_by_d);
   out << visible_line(fmt::format("written to {}", report.output));
 }
 
 void write_csv(std::ostream& out, const TrainReport& report) {
-  out << "step,belief_loss,action_loss,target,total,belief_accuracy,kept\n";
-  for (std::size_t i = 0; i < report.history.size(); ++i) {
-    const auto& evaluation = report.history[i];
-    const auto& best = sct::best_target(evaluation);
-    out << fmt::format("{},{},{},{},{},{},{}\n", evaluation.steps, evaluation.belief_loss, evaluation.action_loss,
-                       best.target, best.total, best.accuracy ? fmt::format("{}", *best.accuracy) : "",
-                       i == report.kept ? "yes" : "no");
-  }
+  out << evaluation_table(report.history, report.kept, report.config.holds_out());
 }
 
 void write_json(std::ostream& out, const TrainReport& report) {
   Json json;
-  for (const auto& [key, value] : key_values(report.config)) json["config"][key] = value;
-  json["matches"] = report.lessons;
-  json["added_matches"] = report.added;
-  json["evaluations"] = Json::array();
-  for (const auto& evaluation : report.history) {
-    Json entry{{"step", evaluation.steps},
-               {"belief_loss", evaluation.belief_loss},
-               {"action_loss", evaluation.action_loss},
-               {"best", score_json(sct::best_target(evaluation))}};
-    for (const auto& score : evaluation.scores) entry["targets"].push_back(score_json(score));
-    json["evaluations"].push_back(std::move(entry));
-  }
-  const auto& kept = report.history[report.kept];
-  const auto& best = sct::best_target(kept);
-  json["kept"] = {{"step", kept.steps},
-                  {"target", best.target},
-                  {"validation_total", best.total},
-                  {"validation_belief_accuracy", number(best.accuracy)},
-                  {"total", report.clean.total},
-                  {"belief_accuracy", number(report.clean.belief_accuracy)}};
-  for (std::size_t i = 0; i < report.roster.size(); ++i)
-    json["kept"]["opponents"].push_back({{"name", report.roster[i].name}, {"score", report.clean.scores[i]}});
-  json["belief_effect"] = {{"moves", report.effect.rounds},
-                           {"changed_by_c", report.effect.changed_by_c},
-                           {"changed_by_d", report.effect.changed_by_d}};
-  json["output"] = report.output;
+  json["config"] = config_json(report.config);
+  json.update(report_json(report));
   out << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
 }
 

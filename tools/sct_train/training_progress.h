@@ -13,8 +13,9 @@ namespace folk::tools {
 /// each evaluation.
 class TrainProgress {
 public:
-  /// `step_tokens`: tokens of one step.
-  TrainProgress(bool enabled, std::uint64_t first_step, std::uint64_t steps, std::uint64_t step_tokens);
+  /// `label` begins every line; `step_tokens`: tokens of one step.
+  TrainProgress(bool enabled, std::string label, std::uint64_t first_step, std::uint64_t steps,
+                std::uint64_t step_tokens);
   TrainProgress(const TrainProgress&) = delete;
   TrainProgress& operator=(const TrainProgress&) = delete;
   ~TrainProgress();
@@ -32,6 +33,7 @@ private:
 
   bool enabled_;
   bool redraws_;
+  std::string label_;
   std::uint64_t first_step_;
   std::uint64_t steps_;
   std::uint64_t step_tokens_;

@@ -9,6 +9,7 @@ import random
 import resource
 import shutil
 import signal
+import statistics
 import subprocess
 import tempfile
 import time
@@ -16,6 +17,7 @@ import unittest
 from pathlib import Path
 
 BIN = Path(os.environ["FOLK_BIN"])
+ROOT = Path(__file__).resolve().parents[3]
 PROGRAM = BIN / "sct-train"
 
 # A network and a roster so small that a run takes a second.
@@ -236,12 +238,34 @@ class Configuring(Training):
         """What a run tells is what it was given, but for these."""
         told = json.loads(self.trained(*SMALL, "--steps", "2", "--format", "json"))["config"]
         expected = {"data": "tournament", "heads": "1", "context": "20", "weight-decay": "0.0001", "clip": "0.25",
-                    "dropout": "0.1", "early": "0.4", "loss": "teacher", "payoffs": "T=5,R=3,P=1,S=0"}
+                    "dropout": "0.1", "early": "0.4", "loss": "teacher", "payoffs": "T=5,R=3,P=1,S=0",
+                    "held-out": "none", "patience": "0"}
         self.assertEqual({key: told[key] for key in expected}, expected)
         text = self.run_program("--help").stdout
         for key, default in (("hidden", 128), ("layers", 3), ("batch", 64), ("learning-rate", 0.0001),
                              ("warmup", 10000)):
             self.assertRegex(text, rf"--{key} arg[^-]*\(default\s+{default}\)")
+
+    def test_policies_are_judged_as_the_shipped_ones_were(self):
+        told = json.loads(self.trained("--hidden", "8", "--layers", "1", "--steps", "2", "--roster", "tit_for_tat,all_d",
+                                       "--format", "json"))["config"]
+        for name in ("sct", "sct-bayes"):
+            lines = (ROOT / "data" / "policies" / f"{name}.conf").read_text().splitlines()
+            shipped = {key.strip(): value.strip() for key, _, value in (line.split("#")[0].partition("=") for line in lines)}
+            for key in ("validation-noise", "validation-repetitions", "evaluate-every"):
+                self.assertEqual(told[key], shipped[key], (name, key))
+
+    def test_what_a_misspelt_key_may_mean(self):
+        for line, meant in (("hiden = 8", "hidden"), ("learning_rat = 1", "learning-rate"),
+                            ("Validation_Noise = 0", "validation-noise"), ("heldout = all_c", "held-out")):
+            with self.subTest(line=line):
+                self.refused(3, "--config", self.file("bad.conf", line + "\n"),
+                             says=(f"unknown key '{line.split()[0]}': did you mean {meant}", "--help"))
+        self.refused(3, "--config", self.file("bad.conf", "qwertyuiop = 8\n"), says="unknown key 'qwertyuiop'; ")
+        self.refused(2, "--hiden", "8", says="'--hiden': did you mean --hidden")
+        self.refused(2, "--roster", "classics", "--learningrate=3", says="did you mean --learning-rate")
+        self.refused(2, "--tournament", "classics", program="ipd-tournament", says="'--tournament'")
+        self.refused(2, "--nois", "0.1", program="ipd-tournament", says="did you mean --noise")
 
     def test_the_told_config_gives_the_same_policy(self):
         told = json.loads(self.trained(*SMALL, "--steps", "12", "--format", "json"))["config"]
@@ -293,12 +317,15 @@ class Configuring(Training):
 
 
 class Data(Training):
-    def arrays(self, rewards=(3, 0)):
-        """Two matches of two rounds: C C against C D."""
+    def arrays(self, rewards=(3, 0), fortran=False):
+        """Two matches of two rounds: C C against C D. In Fortran order as Python 2's NumPy wrote it."""
         header = b"\x93NUMPY\x01\x00" + (118).to_bytes(2, "little")
 
         def array(name, values):
             text = b"{'descr': '|i1', 'fortran_order': False, 'shape': (2, 2), }"
+            if fortran:
+                text = text.replace(b"False", b"True").replace(b"(2, 2)", b"(2L, 2L)")
+                values = (values[0], values[2], values[1], values[3])
             (self.folder / "data" / name).write_bytes(header + text.ljust(117) + b"\n" + bytes(values))
 
         (self.folder / "data").mkdir(exist_ok=True)
@@ -313,12 +340,215 @@ class Data(Training):
         self.assertEqual(told["matches"], 2)
         self.assertEqual(told["config"]["rounds"], "2")
         self.assertIn(b'"data":"data"', self.policy())
+        expected = self.policy()
+        self.arrays(fortran=True)  # the same matches, whatever the order of their numbers and the Python that wrote them
+        self.trained("--data", "data/", "--hidden", "8", "--layers", "1", "--steps", "3", "--warmup", "0")
+        self.assertEqual(self.policy(), expected)
         self.refused(2, "--data", "data", "--rounds", "3", says="have 2: leave rounds out")
+
+    def test_regret_weights_need_names(self):
+        """Which matches have the same opponent, and so who lost what, only the names say."""
+        self.arrays()
+        weighed = ("--data", "data", "--hidden", "8", "--layers", "1", "--steps", "3", "--regret-temperature", "3")
+        self.refused(2, *weighed, says=("regret-temperature", "data does not name them", "names.json"))
+        self.file("data/names.json", '{"players": ["", ""], "opponents": ["x", ""]}')
+        self.refused(2, *weighed, says="data does not name them")
+        self.file("data/names.json", '{"players": ["", ""], "opponents": ["x", "y"]}')
+        self.trained(*weighed)
+        self.refused(2, "--data", "best-reply", "--regret-temperature", "3", says="leave it out")
 
     def test_bad_folders(self):
         self.refused(3, "--data", "nowhere", says="nowhere")
         self.arrays(rewards=(3, 1))
         self.refused(3, "--data", "data", says=("the reward at [0, 1] is 1", "pays 0"))
+
+
+class HeldOut(Training):
+    RUN = (*SMALL, "--steps", "40", "--evaluate-every", "10")
+
+    def test_is_played_and_decides(self):
+        plain = json.loads(self.trained(*self.RUN, "--format", "json"))
+        told = json.loads(self.trained(*self.RUN, "--held-out", "all_c,per_cd", "--format", "json"))
+        self.assertEqual(told["config"]["held-out"], "all_c,per_cd")
+        for entry, other in zip(told["evaluations"], plain["evaluations"], strict=True):
+            self.assertEqual(entry["action_loss"], other["action_loss"])  # nothing is learnt from it
+            for score, alone in zip(entry["targets"], other["targets"], strict=True):
+                self.assertEqual({key: score[key] for key in alone}, alone)
+            self.assertEqual(entry["best"], max(entry["targets"], key=lambda score: score["held_out_total"]))
+        kept = told["kept"]
+        self.assertEqual(kept["held_out"]["validation_total"],
+                         max(entry["best"]["held_out_total"] for entry in told["evaluations"]))
+        self.assertEqual([entry["name"] for entry in kept["held_out"]["opponents"]], ["all_c", "per_cd"])
+        rows = list(csv.DictReader(io.StringIO(self.trained(*self.RUN, "--held-out", "all_c,per_cd", "--format", "csv"))))
+        self.assertEqual([float(row["held_out_total"]) for row in rows],
+                         [entry["best"]["held_out_total"] for entry in told["evaluations"]])
+        text = self.run_program(*self.RUN, "--held-out", "all_c,per_cd")
+        self.assertIn("the highest held-out total", text.stdout)
+        self.assertIn(", held out ", text.stderr)
+
+    def test_what_training_meets_is_refused(self):
+        for spec, says in (("all_c,TFT", "tit_for_tat is met in training"), ("Pavlov", "pavlov is met"),
+                           ("mem11_cCDCD", "mem11_cCDCD plays as tit_for_tat, which is met"),
+                           ("memory(1,1)", "which is met in training"), ("tit_for_tut", "tit_for_tat")):
+            with self.subTest(spec=spec):
+                self.refused(2, *SMALL, "--held-out", spec, says=says)
+
+    def test_a_folder_says_whom_training_meets(self):
+        """`roster` is played in the evaluations then, and the data's opponents are those that training meets."""
+        Data.arrays(self)
+        run = ("--data", "data", "--hidden", "8", "--layers", "1", "--steps", "3", "--roster", "all_d", "--held-out", "all_c")
+        self.file("data/names.json", '{"players": ["x", "y"], "opponents": ["stranger", "ALL_C"]}')
+        self.refused(2, *run, says="held-out: all_c is met in training")
+        self.file("data/names.json", '{"players": ["x", "y"], "opponents": ["stranger", "all_d"]}')
+        self.trained(*run)
+        (self.folder / "data" / "names.json").unlink()
+        done = self.run_program(*run)
+        self.assertEqual(done.returncode, 0, done)
+        self.assertIn("note: data does not name its opponents", done.stderr)
+
+    def test_patience(self):
+        run = (*SMALL, "--evaluate-every", "10", "--checkpoint-every", "7", "--held-out", "all_c,per_cd", "--format", "json")
+        patient = (*run, "--steps", "2000", "--patience", "2")
+        whole = json.loads(self.trained(*patient, "--output", "whole.bin"))
+        self.assertTrue(whole["stopped_early"])
+        figures = [entry["best"]["held_out_total"] for entry in whole["evaluations"]]
+        self.assertLess(whole["evaluations"][-1]["step"], 2000)
+        self.assertLessEqual(max(figures[-2:]), max(figures[:-2]))
+        end = whole["evaluations"][-1]["step"]
+        # In two pieces, the first of which is a shorter run.
+        self.trained(*run, "--steps", end - 5, "--checkpoint", "run")
+        resumed = json.loads(self.trained(*patient, "--checkpoint", "run", "--resume"))
+        self.assertEqual({**resumed, "output": "whole.bin"}, whole)
+        self.assertEqual(self.policy(), self.policy("whole.bin"))
+        self.trained(*run, "--checkpoint", "run", "--resume", "--steps", end + 10)
+        self.refused(2, *patient, "--checkpoint", "run", "--resume", "--quiet", says=f"this run ends at step {end}")
+
+    def test_checkpoints_of_runs_without_it_are_what_they_were(self):
+        self.trained(*self.RUN, "--checkpoint", "run")
+        data = (self.folder / "run" / "step-40.checkpoint").read_bytes()
+        self.assertIn(b"validation-seed = 1000003\nthe data's signature", data)
+
+
+class Log(Training):
+    def test_is_the_table(self):
+        run = (*SMALL, "--steps", "50", "--evaluate-every", "20", "--format", "csv")
+        self.file("log.csv", "older\n" * 100)
+        self.assertEqual(self.trained(*run, "--log", "log.csv"), (self.folder / "log.csv").read_text())
+        held_out = self.trained(*run, "--held-out", "all_c", "--log", "log.csv")
+        self.assertEqual(held_out, (self.folder / "log.csv").read_text())
+        self.assertIn(",held_out_total,", held_out)
+
+    def test_has_its_rows_while_it_runs(self):
+        """Killed at any moment it ends with a whole row; the run that goes on neither repeats nor loses one."""
+        whole = (*SMALL, "--evaluate-every", "10", "--checkpoint-every", "7")
+        self.trained(*whole, "--steps", "130", "--log", "whole.csv", "--output", "whole.bin")
+        expected = (self.folder / "whole.csv").read_text()
+        rows = [line.rsplit(",", 1)[0] for line in expected.splitlines()]
+        log = self.folder / "log.csv"
+        run = (*whole, "--log", "log.csv", "--checkpoint", "run", "--resume")
+        for seen in (2, 5, 9):
+            process = self.start(*run, "--steps", "130")
+            while process.poll() is None and (not log.exists() or log.read_text().count("\n") < seen):
+                time.sleep(0.001)
+            process.kill()
+            process.wait()
+            text = log.read_text()
+            self.assertTrue(text.endswith("\n"), text)
+            self.assertEqual([line.rsplit(",", 1)[0] for line in text.splitlines()], rows[: text.count("\n")])
+        self.trained(*run, "--steps", "130")
+        self.assertEqual(log.read_text(), expected)
+        self.assertEqual(self.policy(), self.policy("whole.bin"))
+        # A longer run forgets the evaluation that a longer one does not have.
+        self.trained(*run, "--steps", "135")
+        self.trained(*run, "--steps", "140")
+        steps = [row["step"] for row in csv.DictReader(io.StringIO(log.read_text()))]
+        self.assertEqual(steps, [str(step) for step in range(10, 141, 10)])
+
+    def test_goes_where_nothing_else_is(self):
+        self.file("run.conf", "steps = 5\n")
+        self.refused(2, "--log", "policy.bin", says=("--log policy.bin", "--output"))
+        self.refused(2, "--config", "run.conf", "--log", "./run.conf", says="--config")
+        self.refused(4, "--log", "missing/log.csv", says="--log missing/log.csv: there is no such folder")
+        self.refused(4, "--log", ".", says="it is a directory")
+        self.trained(*SMALL, "--steps", "5", "--log", "/dev/null")
+
+    def test_a_full_disk_ends_the_run_with_whole_rows(self):
+        whole = (*SMALL, "--steps", "100", "--evaluate-every", "2")
+        size = len(self.trained(*whole, "--format", "csv")) // 2
+
+        def limit():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
+
+        done = self.run_program(*whole, "--log", "log.csv", "--quiet", preexec_fn=limit)
+        self.assertEqual(done.returncode, 4, done)
+        self.assertRegex(done.stderr, r"^sct-train: --log log.csv: cannot be written: .*\n$")
+        text = (self.folder / "log.csv").read_text()
+        self.assertTrue(text.endswith(("yes\n", "no\n")))
+
+
+class Seeds(Training):
+    RUN = (*SMALL, "--steps", "30", "--evaluate-every", "10", "--checkpoint-every", "7")
+
+    def test_are_the_single_runs(self):
+        told = json.loads(self.trained(*self.RUN, "--seeds", "2..3,7", "--output", "sct.bin", "--log", "log.csv",
+                                       "--checkpoint", "runs", "--format", "json"))
+        self.assertEqual(told["seeds"], [2, 3, 7])
+        self.assertNotIn("seed", told["config"])
+        for run in told["runs"]:
+            seed = run["seed"]
+            alone = json.loads(self.trained(*self.RUN, "--seed", seed, "--output", "alone.bin", "--log", "alone.csv",
+                                            "--format", "json"))
+            self.assertEqual(run["output"], f"sct-{seed}.bin")
+            del alone["config"]
+            self.assertEqual({**run, "output": "alone.bin"}, {"seed": seed, **alone})
+            self.assertEqual(self.policy(f"sct-{seed}.bin"), self.policy("alone.bin"))
+            self.assertEqual(self.policy(f"log-{seed}.csv"), self.policy("alone.csv"))
+            self.assertTrue((self.folder / "runs" / f"seed-{seed}" / "step-30.checkpoint").is_file())
+        totals = [run["kept"]["total"] for run in told["runs"]]
+        summary = told["summary"]["total"]
+        self.assertAlmostEqual(summary["mean"], statistics.mean(totals))
+        self.assertAlmostEqual(summary["deviation"], statistics.stdev(totals))
+        self.assertEqual((summary["lowest"], summary["highest"]), (min(totals), max(totals)))
+        resume = (*self.RUN, "--seeds", "2..3,7", "--output", "sct.bin", "--checkpoint", "runs")
+        self.refused(2, *resume, says="give --resume")
+        rows = list(csv.DictReader(io.StringIO(self.trained(*resume, "--resume", "--format", "csv"))))
+        self.assertEqual([float(row["total"]) for row in rows], totals)
+        text = self.trained(*resume, "--resume")
+        self.assertRegex(text, r"seed +last step +kept step")
+        self.assertRegex(text, r"\n +mean +deviation +lowest +highest\n")
+
+    def test_go_on_where_they_were_killed(self):
+        run = (*self.RUN, "--seeds", "4,1", "--checkpoint", "runs", "--resume", "--log", "log.csv")
+        process = self.start(*run)
+        self.wait_for_checkpoint(process, self.folder / "runs" / "seed-1")
+        process.kill()
+        process.wait()
+        done = self.run_program(*run)
+        self.assertEqual(done.returncode, 0, done)
+        self.assertIn("seed 1, step ", done.stderr)
+        self.trained(*self.RUN, "--seeds", "1,4", "--output", "whole.bin", "--log", "whole.csv")
+        for seed in (1, 4):
+            self.assertEqual(self.policy(f"policy-{seed}.bin"), self.policy(f"whole-{seed}.bin"))
+            self.assertEqual(self.policy(f"log-{seed}.csv"), self.policy(f"whole-{seed}.csv"))
+
+    def test_one_seed_has_no_spread(self):
+        told = json.loads(self.trained(*self.RUN, "--seeds", "5", "--loss", "madt", "--format", "json"))
+        self.assertIsNone(told["summary"]["total"]["deviation"])
+        self.assertIsNone(told["summary"]["belief_accuracy"]["mean"])
+        self.assertTrue((self.folder / "policy-5.bin").is_file())
+
+    def test_bad_lists(self):
+        for seeds, says in (("", "expected whole numbers"), ("x", "as 1..5 or 1,4,9"), ("1..", "expected whole"),
+                            ("..3", "expected whole"), ("1...3", "expected whole"), ("-1", "expected whole"),
+                            ("5..3", "the lower seed comes first"), ("1,2,1..3", "1 is there twice"),
+                            ("0..18446744073709551615", "more than 1000"), ("1..5000", "more than 1000"),
+                            ("1,,2", "expected whole"), ("1000000..1000005", "numbers of their own")):
+            with self.subTest(seeds=seeds):
+                self.refused(2, *SMALL, "--seeds", seeds, says=says)
+        self.refused(2, *SMALL, "--seeds", "1..2", "--seed", "1", says="the one or the other")
+        self.refused(4, *SMALL, "--seeds", "1..2", "--output", ".", says="it is a directory")
+        self.refused(4, *SMALL, "--seeds", "1..2", "--output", "missing/a.bin", says="missing/a-1.bin")
 
 
 class Output(Training):
