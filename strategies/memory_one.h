@@ -19,8 +19,9 @@ enum class Baseline {
   reward       ///< generosity: B = R (Stewart & Plotkin 2013)
 };
 
-/// The four probabilities of the zero-determinant strategy with this slope.
-/// `phi` scales all of them; by default half of the largest feasible one.
+/// The four probabilities of the zero-determinant strategy with this slope (Press & Dyson 2012, eq. 7-8):
+/// (pCC - 1, pCD - 1, pDC, pDD) = phi / (B - S) [(own - B) - chi (their - B)]; by default `phi` is half of the largest
+/// feasible one. ZDGTFT-2 of Stewart & Plotkin is B = R, chi = 2, phi = 3/8 at 5, 3, 1, 0.
 /// Throws UsageError unless chi >= 1, 0 < phi <= the largest feasible one, and the payoffs are a prisoner's dilemma.
 std::array<double, 4> zero_determinant(const Payoffs& payoffs, Baseline baseline, double chi,
                                        std::optional<double> phi = std::nullopt);

@@ -165,5 +165,16 @@ TEST(ZeroDeterminant, HasPressAndDysonsProbabilities) {
   EXPECT_EQ(p(Move::D, Move::D), 0);
 }
 
+// ZDGTFT-2 of Stewart & Plotkin 2013: what they call phi, 1/8, is phi / (R - S) here.
+TEST(ZeroDeterminant, ThreeEighthsMakesZdgtft2) {
+  const auto generous = Registry::standard().make("zd_generous(2;0.375)");
+  const auto& m = *generous.machine;
+  const auto p = [&](Move own, Move theirs) { return m.cooperation(m.next(m.start(), own, theirs)); };
+  EXPECT_NEAR(p(Move::C, Move::C), 1, 1e-15);
+  EXPECT_NEAR(p(Move::C, Move::D), 0.125, 1e-15);
+  EXPECT_NEAR(p(Move::D, Move::C), 1, 1e-15);
+  EXPECT_NEAR(p(Move::D, Move::D), 0.25, 1e-15);
+}
+
 }  // namespace
 }  // namespace folk
