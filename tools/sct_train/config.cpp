@@ -241,6 +241,9 @@ std::string_view trimmed(std::string_view text) {
 }
 
 [[noreturn]] void refuse_key(const std::string& name) {
+  for (const char* option : {"config", "output", "log", "seeds", "checkpoint", "resume", "threads", "format", "quiet"})
+    if (name == option)
+      throw UsageError(fmt::format("unknown key '{}': it is an option of the command line alone", name));
   std::vector<NameCandidate> candidates;
   for (const auto& key : keys()) candidates.push_back({name_key(key.name), key.name});
   const auto near = nearest_names(name, candidates);

@@ -5,20 +5,19 @@
 #include <folk/strategies/equivalence.h>
 #include <folk/strategies/names.h>
 
-#include <optional>
+#include <memory>
 
 namespace folk::tools {
 namespace {
 
 constexpr std::size_t most_pairs = 10'000;  // of machines without end
 
-/// The machine of a name that training met; null for players without one and names from elsewhere.
-std::shared_ptr<const Machine> machine_named(const std::string& name, const TrainConfig& config,
-                                             const Registry& names) {
+/// The strategy of a name in a folder; without a machine where nobody knows it.
+Strategy named(const std::string& name, const TrainConfig& config, const Registry& names) {
   try {
-    return names.make(name, config.payoffs).machine;
+    return names.make(name, config.payoffs);
   } catch (const Error&) {
-    return nullptr;
+    return {name, nullptr, nullptr};
   }
 }
 
@@ -28,20 +27,27 @@ bool play_alike(const std::shared_ptr<const Machine>& a, const std::shared_ptr<c
 
 }  // namespace
 
-std::vector<Strategy> held_out_roster(const TrainConfig& config, const Registry& names,
-                                      const std::set<std::string>& met) {
+std::vector<Strategy> met_in_training(const TrainConfig& config, const std::vector<Strategy>& roster,
+                                      const std::set<std::string>& opponents, const Registry& names) {
+  if (!config.data_is_folder()) return roster;
+  std::vector<Strategy> met;
+  for (const auto& name : opponents)
+    if (!name.empty()) met.push_back(named(name, config, names));
+  return met;
+}
+
+std::vector<Strategy> held_out_roster(const TrainConfig& config, const std::vector<Strategy>& met,
+                                      const Registry& names) {
   if (!config.holds_out()) return {};
   auto roster = names.roster(config.held_out, config.payoffs);
-  for (const auto& name : met) {
-    const auto machine = machine_named(name, config, names);
+  for (const auto& known : met)
     for (const auto& strategy : roster) {
-      const bool same = same_name(strategy.name, name);
-      if (same || play_alike(strategy.machine, machine))
+      const bool same = same_name(strategy.name, known.name);
+      if (same || play_alike(strategy.machine, known.machine))
         throw UsageError(fmt::format("held-out: {}{} is met in training; hold out strategies that are not",
                                      excerpt(strategy.name),
-                                     same ? "" : fmt::format(" plays as {}, which", excerpt(name))));
+                                     same ? "" : fmt::format(" plays as {}, which", excerpt(known.name))));
     }
-  }
   return roster;
 }
 

@@ -12,10 +12,15 @@
 
 namespace folk::tools {
 
-/// The strategies of config.held_out; none where it holds nobody out. `met`: the names of those that training meets.
-/// Throws UsageError when one of them is held out too, by its name or by the play of its machine (equivalence.h): what
-/// is earned against it would be called held out and is not.
-std::vector<Strategy> held_out_roster(const TrainConfig& config, const Registry& names,
-                                      const std::set<std::string>& met);
+/// Whom training meets: the roster, or the opponents that a folder names, whose machines are known where `names` knows
+/// them.
+std::vector<Strategy> met_in_training(const TrainConfig& config, const std::vector<Strategy>& roster,
+                                      const std::set<std::string>& opponents, const Registry& names);
+
+/// The strategies of config.held_out; none where it holds nobody out. Throws UsageError when it holds out one of `met`,
+/// by its name or by the play of its machine (equivalence.h): what is earned against it would be called held out and
+/// is not.
+std::vector<Strategy> held_out_roster(const TrainConfig& config, const std::vector<Strategy>& met,
+                                      const Registry& names);
 
 }  // namespace folk::tools

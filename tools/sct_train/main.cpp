@@ -149,12 +149,14 @@ void train(sct::TrainingRun& run, const RunFiles& files, std::uint64_t checkpoin
 }
 
 /// Whom the evaluations play beside the roster; says so when nobody can tell whether training meets them.
-std::vector<Strategy> held_out(const TrainConfig& config, const TrainData& data, const Common& common) {
-  auto roster = held_out_roster(config, standard_names(), data.opponents);
-  if (!roster.empty() && data.opponents.contains(""))
+std::vector<Strategy> held_out(const TrainConfig& config, const std::vector<Strategy>& roster, const TrainData& data,
+                               const Common& common) {
+  const auto names = standard_names();
+  auto held = held_out_roster(config, met_in_training(config, roster, data.opponents, names), names);
+  if (!held.empty() && data.opponents.contains(""))
     common.note(fmt::format("note: {} does not name its opponents: whether some of them are held out is not checked",
                             excerpt(config.data, 1000)));
-  return roster;
+  return held;
 }
 
 TrainReport train_policy(TrainConfig config, const RunFiles& files, unsigned threads, const Common& common) {
@@ -163,7 +165,7 @@ TrainReport train_policy(TrainConfig config, const RunFiles& files, unsigned thr
   const auto settings = training_settings(config, threads);
   auto run_plan = run_settings(config, threads);
   run_plan.description = description(config, settings, signature_of(data.lessons));
-  run_plan.held_out = held_out(config, data, common);
+  run_plan.held_out = held_out(config, roster, data, common);
 
   TrainReport report;
   report.lessons = data.lessons.size();

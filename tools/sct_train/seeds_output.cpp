@@ -96,10 +96,9 @@ void write_seeds_text(std::ostream& out, const std::vector<TrainReport>& reports
   header.push_back("policy");
   Table runs(header);
   for (const auto& report : reports) {
-    std::vector<std::string> row{fmt::to_string(report.config.training.seed),
-                                 fmt::to_string(report.history.back().steps),
-                                 fmt::to_string(report.history[report.kept].steps),
-                                 fmt::format("{}", kept_score(report).target)};
+    std::vector<std::string> row{
+        fmt::to_string(report.config.training.seed), fmt::to_string(report.history.back().steps),
+        fmt::to_string(report.history[report.kept].steps), fmt::format("{}", kept_score(report).target)};
     for (const auto& column : columns) row.push_back(column.shown(column.value(report)));
     row.push_back(report.output);
     runs.add(row);

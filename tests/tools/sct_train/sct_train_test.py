@@ -282,7 +282,7 @@ class Configuring(Training):
                            ("targets = 3:2:1", "FROM:TO:BY"), ("targets = 0:1000:1", "more than 100"),
                            ("targets = 1,x", "'x'"), ("payoffs = T=1,R=2,P=3,S=4", "T > R > P > S"),
                            ("layers = 1\nlayers = 1", "given twice"), ("data =", "expected a value"),
-                           ("output = x", "unknown key 'output'")):
+                           ("output = x", "unknown key 'output': it is an option")):
             with self.subTest(line=line):
                 config = self.file("bad.conf", "\n# comment\n" + line + "\n")
                 number = 2 + len(line.splitlines())
@@ -392,6 +392,12 @@ class HeldOut(Training):
                            ("memory(1,1)", "which is met in training"), ("tit_for_tut", "tit_for_tat")):
             with self.subTest(spec=spec):
                 self.refused(2, *SMALL, "--held-out", spec, says=says)
+
+    def test_machines_from_files_are_met_as_they_play(self):
+        self.file("my.machines", "machine mine\nc C c d\nd D c d\n")  # tit_for_tat
+        self.refused(2, *SMALL[:-8], "--roster", "@my.machines,all_d", "--rounds", "30", "--held-out", "tit_for_tat",
+                     says="tit_for_tat plays as mine, which is met")
+        self.refused(2, *SMALL, "--held-out", "all_c,@my.machines", says="mine plays as tit_for_tat, which is met")
 
     def test_a_folder_says_whom_training_meets(self):
         """`roster` is played in the evaluations then, and the data's opponents are those that training meets."""
