@@ -6,6 +6,7 @@
 #include <folk/games/utf8.h>
 #include <folk/strategies/names.h>
 #include <folk/strategies/nearest_names.h>
+#include <folk/tools/program/value_names.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -171,6 +172,7 @@ int run(int argc, char** argv, Program program, const std::vector<std::string>& 
     add("quiet", "no banner, no progress, no warnings on stderr");
     add("help,h", "this text");
     add("version,V", "version and build");
+    name_values(program);
     const int code =
         run_parsed(program, command_line(program.name, argc, argv), parse(argc, argv, program), formats, body);
     std::cout.flush();

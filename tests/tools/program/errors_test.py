@@ -131,6 +131,16 @@ class WrongUsage(Errors):
             self.refused(2, *enough, "--nosuch=3", program=program, says="--nosuch")
             self.refused(2, *enough, "--quie", program=program, says="did you mean --quiet?")
 
+    def test_help_names_every_value(self):
+        for program in (*PROGRAMS, "sce-check", "payoff-region"):
+            for option in ("--help", "-h"):
+                text = run(program, option).stdout
+                self.assertIn("-h [ --help ]", text)
+                self.assertNotRegex(text, r"--[a-z-]+ (arg|VALUE|\(=)")
+        for verb in ("collect", "inspect", "offline", "online", "curve", "study"):
+            self.assertNotRegex(run("mpe-train", verb, "--help").stdout, r"--[a-z-]+ (arg|VALUE|\(=)")
+        self.assertEqual(run("ipd-match", "-V").stdout, run("ipd-match", "--version").stdout)
+
     def test_arguments_that_nobody_wants(self):
         self.refused(2, "stray", says=("unexpected argument 'stray'", "ipd-tournament [options]"))
         self.refused(2, "pavlov", "tit_for_tat", says="'pavlov'")
