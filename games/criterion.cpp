@@ -4,36 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 namespace folk {
-namespace {
-
-/// The shortest decimal that reads back as this double: what a person wrote.
-Rational as_written(double number) { return parse_rational(fmt::format("{}", number)); }
-
-}  // namespace
 
 std::uint64_t parse_rounds(std::string_view text) {
-  std::uint64_t rounds = 0;
-  const auto* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, rounds);
-  if (error != std::errc() || stop != end || rounds == 0 || rounds > Criterion::most_rounds)
-    throw UsageError(
-        fmt::format("rounds '{}': expected a whole number from 1 to {}", excerpt(text), Criterion::most_rounds));
-  return rounds;
-}
-
-double parse_number(std::string_view text, std::string_view what, double low, double high) {
-  double value = 0;
-  const auto* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end || !(value >= low && value <= high))
-    throw UsageError(fmt::format("{} '{}': expected a number from {} to {}", what, excerpt(text), low, high));
-  return value;
+  return parse_whole_number(text, "rounds", 1, Criterion::most_rounds);
 }
 
 Criterion Criterion::finite(std::uint64_t rounds) {
@@ -78,15 +56,8 @@ Criterion Criterion::parse(std::string_view text) {
   if (colon != std::string_view::npos) {
     const std::string_view value = text.substr(colon + 1);
     if (name == "finite") return finite(parse_rounds(value));
-    const bool fraction = value.find('/') != std::string_view::npos;
-    if (name == "discounted") {
-      if (!fraction) parse_number(value, "discount factor", 0, 1);
-      return discounted(parse_rational(value));
-    }
-    if (name == "ending") {
-      if (!fraction) parse_number(value, "ending probability", 0, 1);
-      return ending(parse_rational(value));
-    }
+    if (name == "discounted") return discounted(parse_exact_number(value, "discount factor", 0, 1));
+    if (name == "ending") return ending(parse_exact_number(value, "ending probability", 0, 1));
   }
   throw UsageError(fmt::format("criterion '{}': expected finite:T, discounted:d, mean or ending:p", excerpt(text)));
 }
@@ -94,15 +65,11 @@ Criterion Criterion::parse(std::string_view text) {
 std::string Criterion::to_string() const {
   switch (kind_) {
     case Kind::finite: return fmt::format("finite:{}", rounds_);
-    case Kind::discounted: return "discounted:" + number_text();
+    case Kind::discounted: return "discounted:" + to_short_text(exact_);
     case Kind::mean: return "mean";
-    case Kind::ending: return "ending:" + number_text();
+    case Kind::ending: return "ending:" + to_short_text(exact_);
   }
   throw std::logic_error("unknown criterion");
-}
-
-std::string Criterion::number_text() const {
-  return exact_ == as_written(number_) ? fmt::format("{}", number_) : folk::to_text(exact_);
 }
 
 Rational Criterion::exact_continuation() const {

@@ -73,8 +73,6 @@ private:
         number_(to_double(number)),
         exact_(number) {}
 
-  std::string number_text() const;
-
   Kind kind_;
   std::uint64_t rounds_;
   double number_;
@@ -83,8 +81,5 @@ private:
 
 /// Reads a whole number of rounds, 1 to Criterion::most_rounds. Throws UsageError.
 std::uint64_t parse_rounds(std::string_view text);
-
-/// Reads a decimal number in [low, high]; `what` names it in the message. Throws UsageError, also on NaN.
-double parse_number(std::string_view text, std::string_view what, double low, double high);
 
 }  // namespace folk

@@ -3,6 +3,8 @@
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 #include <ostream>
 #include <stdexcept>
@@ -21,6 +23,17 @@ std::uint64_t size_of(std::int64_t value) {
 }
 
 [[noreturn]] void refuse_zero() { throw std::domain_error("an exact number was divided by 0"); }
+
+/// above / below, smaller than any normal double, in units of the smallest one; half a unit goes to the even number.
+double nearest_subnormal(const Integer& above, const Integer& below) {
+  constexpr unsigned bits = 1074;  // the smallest double is 2^-1074
+  const Integer scaled = abs(above) << bits;
+  Integer units = scaled / below;
+  const Integer rest = (scaled - units * below) * 2;
+  if (rest > below || (rest == below && units % 2 == 1)) units += 1;
+  const double nearest = std::ldexp(to_double(units), -static_cast<int>(bits));
+  return above.sign() < 0 ? -nearest : nearest;
+}
 
 }  // namespace
 
@@ -170,9 +183,12 @@ double nearest_quotient(const Integer& above, const Integer& below) {
     return static_cast<double>(above.word_) / static_cast<double>(below.word_);
   cpp_int room_above;
   cpp_int room_below;
-  return boost::multiprecision::cpp_rational(Integer::Large::of(above, room_above),
-                                             Integer::Large::of(below, room_below))
-      .convert_to<double>();
+  const double nearest =
+      boost::multiprecision::cpp_rational(Integer::Large::of(above, room_above), Integer::Large::of(below, room_below))
+          .convert_to<double>();
+  // Below the normal doubles the library rounds to 53 bits and then again to those that are left.
+  return std::abs(nearest) <= std::numeric_limits<double>::min() && !above.is_zero() ? nearest_subnormal(above, below)
+                                                                                     : nearest;
 }
 
 std::ostream& operator<<(std::ostream& out, const Integer& value) { return out << value.str(); }

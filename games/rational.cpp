@@ -1,8 +1,12 @@
 #include <folk/games/error.h>
 #include <folk/games/rational.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
+#include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <ostream>
 #include <stdexcept>
@@ -63,8 +67,9 @@ long take_exponent(std::string_view text, std::string_view& rest) {
   if (!take(rest, 'e') && !take(rest, 'E')) return 0;
   const bool down = take(rest, '-');
   if (!down) take(rest, '+');
-  const std::string digits = take_digits(rest);
+  std::string digits = take_digits(rest);
   if (digits.empty()) refuse(text);
+  digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1));
   if (digits.size() > 4) refuse_size(text);
   const long exponent = std::strtol(digits.c_str(), nullptr, 10);
   return down ? -exponent : exponent;
@@ -196,6 +201,52 @@ std::string to_text(const Rational& value) {
 }
 
 double to_double(const Rational& value) { return nearest_quotient(numerator(value), denominator(value)); }
+
+Rational as_written(double number) { return parse_rational(fmt::format("{}", number)); }
+
+std::string to_short_text(const Rational& value) {
+  const double nearest = to_double(value);
+  return std::isfinite(nearest) && value == as_written(nearest) ? fmt::format("{}", nearest) : to_text(value);
+}
+
+Rational parse_exact_number(std::string_view text, std::string_view what, double low, double high) {
+  try {
+    if (text.starts_with('+')) refuse(text);
+    Rational value = parse_rational(text);
+    // The ends are compared exactly: what is a hair beyond one may round to it.
+    const double nearest = to_double(value);
+    if ((nearest > low && nearest < high) || (nearest == low && value >= as_written(low)) ||
+        (nearest == high && value <= as_written(high)))
+      return value;
+  } catch (const UsageError&) {  // no number at all: the message is the same
+  }
+  throw UsageError(fmt::format("{} '{}': expected a number from {} to {}", what, excerpt(text), low, high));
+}
+
+double parse_number(std::string_view text, std::string_view what, double low, double high) {
+  return to_double(parse_exact_number(text, what, low, high));
+}
+
+std::optional<std::uint64_t> whole_number(std::string_view text) {
+  if (text.starts_with('+') || text.starts_with('-')) return std::nullopt;
+  try {
+    const Rational value = parse_rational(text);
+    const std::string digits = value.str();
+    const char* end = digits.data() + digits.size();
+    std::uint64_t number = 0;
+    const auto [stop, error] = std::from_chars(digits.data(), end, number);
+    if (error == std::errc() && stop == end) return number;
+  } catch (const UsageError&) {  // no number at all
+  }
+  return std::nullopt;
+}
+
+std::uint64_t parse_whole_number(std::string_view text, std::string_view what, std::uint64_t low, std::uint64_t high) {
+  const auto number = whole_number(text);
+  if (!number || *number < low || *number > high)
+    throw UsageError(fmt::format("{} '{}': expected a whole number from {} to {}", what, excerpt(text), low, high));
+  return *number;
+}
 
 std::ostream& operator<<(std::ostream& out, const Rational& value) { return out << value.str(); }
 

@@ -5,7 +5,9 @@
 
 #include <compare>
 #include <concepts>
+#include <cstdint>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -90,6 +92,30 @@ std::string to_text(const Rational& value);
 
 /// The nearest double.
 double to_double(const Rational& value);
+
+/// What a person wrote who meant this double: the shortest decimal that reads back as it, so that 0.1 is a tenth.
+/// Throws UsageError for what is no number.
+Rational as_written(double number);
+
+/// As it is shown in names: the shortest decimal of the nearest double where that is the number itself ("0.3",
+/// "1e-07"), else to_text ("1/3"). What parse_rational gave is read back by it.
+std::string to_short_text(const Rational& value);
+
+// How every number of an option, a strategy's parameter or a machine file is read: exactly, and only then rounded.
+
+/// Reads what parse_rational reads, but no '+', from `low` to `high`; `what` names it in the message. Throws
+/// UsageError.
+Rational parse_exact_number(std::string_view text, std::string_view what, double low, double high);
+
+/// The double nearest to it.
+double parse_number(std::string_view text, std::string_view what, double low, double high);
+
+/// The whole number that a text without a sign stands for: "1000", "1e3", "2.5e3". Nothing for any other text and
+/// beyond 64 bits.
+std::optional<std::uint64_t> whole_number(std::string_view text);
+
+/// whole_number from `low` to `high`; `what` names it in the message. Throws UsageError.
+std::uint64_t parse_whole_number(std::string_view text, std::string_view what, std::uint64_t low, std::uint64_t high);
 
 std::ostream& operator<<(std::ostream& out, const Rational& value);
 

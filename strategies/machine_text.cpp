@@ -1,4 +1,5 @@
 #include <folk/games/error.h>
+#include <folk/games/rational.h>
 #include <folk/strategies/machine_text.h>
 #include <folk/strategies/names.h>
 
@@ -6,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -17,18 +17,11 @@ namespace folk {
 
 namespace {
 
-constexpr std::size_t longest_name = 100;
-constexpr std::string_view name_rule = "letters, digits and _ . - +";
-
 /// What is wrong, before it is known whether a file or a line of the program's own data is at fault.
 struct Fault {
   std::size_t line;
   std::string what;
 };
-
-bool is_letter_or_digit(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); }
-
-bool is_name_character(char c) { return is_letter_or_digit(c) || c == '_' || c == '.' || c == '-' || c == '+'; }
 
 /// The words between two line ends or ';', without the comment.
 struct Statement {
@@ -83,7 +76,7 @@ void check_name(std::string_view what, std::string_view name, std::size_t line) 
     throw Fault{line, fmt::format("the name '{}' of a {} is longer than {} characters; shorten it", excerpt(name), what,
                                   longest_name)};
   if (!std::all_of(name.begin(), name.end(), is_name_character))
-    throw Fault{line, fmt::format("'{}' is no name of a {}; use {}", excerpt(name), what, name_rule)};
+    throw Fault{line, fmt::format("'{}' is no name of a {}; use {}", excerpt(name), what, own_name_characters)};
 }
 
 /// A roster reads "-x" as an option and "@x" as a file, and does not see '_' and '-'.
@@ -103,13 +96,12 @@ void check_state_name(std::string_view name, std::size_t line) {
 double read_cooperation(std::string_view word, std::size_t line) {
   if (word == "C") return 1;
   if (word == "D") return 0;
-  double value = 0;
-  const auto* end = word.data() + word.size();
-  const auto [stop, error] = std::from_chars(word.data(), end, value);
-  if (error != std::errc() || stop != end || !(value >= 0 && value <= 1))
+  try {
+    return parse_number(word, "move", 0, 1);
+  } catch (const UsageError&) {
     throw Fault{line,
                 fmt::format("move '{}': expected C, D or the probability of C, a number from 0 to 1", excerpt(word))};
-  return value;
+  }
 }
 
 /// The states of one machine as they are listed; successors may be listed later, so that they are names until the end.

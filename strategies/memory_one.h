@@ -2,6 +2,7 @@
 // Strategies that mix by the last round alone, zero-determinant ones (Press & Dyson 2012) among them.
 
 #include <folk/games/payoffs.h>
+#include <folk/games/rational.h>
 #include <folk/strategies/automaton.h>
 
 #include <array>
@@ -20,16 +21,26 @@ enum class Baseline {
 };
 
 /// The four probabilities of the zero-determinant strategy with this slope (Press & Dyson 2012, eq. 7-8):
-/// (pCC - 1, pCD - 1, pDC, pDD) = phi / (B - S) [(own - B) - chi (their - B)]; by default `phi` is half of the largest
-/// feasible one. ZDGTFT-2 of Stewart & Plotkin is B = R, chi = 2, phi = 3/8 at 5, 3, 1, 0.
+/// (pCC - 1, pCD - 1, pDC, pDD) = phi / (B - S) [(own - B) - chi (their - B)], computed exactly and rounded once; by
+/// default `phi` is half of the largest feasible one. ZDGTFT-2 of Stewart & Plotkin is B = R, chi = 2, phi = 3/8 at
+/// 5, 3, 1, 0.
 /// Throws UsageError unless chi >= 1, 0 < phi <= the largest feasible one, and the payoffs are a prisoner's dilemma.
-std::array<double, 4> zero_determinant(const Payoffs& payoffs, Baseline baseline, double chi,
-                                       std::optional<double> phi = std::nullopt);
+std::array<double, 4> zero_determinant(const Payoffs& payoffs, Baseline baseline, const Rational& chi,
+                                       const std::optional<Rational>& phi = std::nullopt);
+
+/// The same for the decimal that a double stands for.
+inline std::array<double, 4> zero_determinant(const Payoffs& payoffs, Baseline baseline, double chi) {
+  return zero_determinant(payoffs, baseline, as_written(chi));
+}
 
 /// Press & Dyson's equalizer: their long-run payoff is v whatever they play. pCC and pDD are tied by
 /// (1 - pCC)(v - P) = pDD (R - v); what is not given follows, by default from half of the largest feasible scale.
-/// Throws UsageError unless P <= v <= R and all four are probabilities.
-std::array<double, 4> equalizer(const Payoffs& payoffs, double v, std::optional<double> p_cc = std::nullopt,
-                                std::optional<double> p_dd = std::nullopt);
+/// Computed exactly and rounded once. Throws UsageError unless P <= v <= R and all four are probabilities.
+std::array<double, 4> equalizer(const Payoffs& payoffs, const Rational& v,
+                                const std::optional<Rational>& p_cc = std::nullopt,
+                                const std::optional<Rational>& p_dd = std::nullopt);
+
+/// The same for the decimal that a double stands for.
+inline std::array<double, 4> equalizer(const Payoffs& payoffs, double v) { return equalizer(payoffs, as_written(v)); }
 
 }  // namespace folk

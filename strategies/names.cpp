@@ -2,6 +2,8 @@
 #include <folk/games/error.h>
 #include <folk/strategies/names.h>
 
+#include <algorithm>
+
 namespace folk {
 namespace {
 
@@ -16,7 +18,7 @@ std::string_view trimmed(std::string_view text) {
 std::string name_key(std::string_view name) {
   std::string key;
   for (const char c : name) {
-    if (c == '_' || c == '-') continue;
+    if (c == '_' || c == '-' || c == ' ' || c == '\t') continue;
     key += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   }
   return key;
@@ -51,6 +53,29 @@ std::vector<std::string> split_list(std::string_view text) {
     throw UsageError(fmt::format("'{}': a {} is not closed", excerpt(text), quoted ? "quote" : "bracket"));
   take(text.size());
   return parts;
+}
+
+bool is_letter_or_digit(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); }
+
+bool is_name_character(char c) { return is_letter_or_digit(c) || c == '_' || c == '.' || c == '-' || c == '+'; }
+
+bool is_own_name(std::string_view name) {
+  return !name.empty() && name.size() <= longest_name && is_letter_or_digit(name.front()) &&
+         std::all_of(name.begin(), name.end(), is_name_character);
+}
+
+LabelledItem split_label(std::string_view item) {
+  const auto sign = item.find_first_of("=([\"@:");
+  if (sign == std::string_view::npos || item[sign] != '=') return {std::nullopt, item};
+  const std::string_view label = trimmed(item.substr(0, sign));
+  const std::string_view spec = trimmed(item.substr(sign + 1));
+  if (!is_own_name(label))
+    throw UsageError(fmt::format("'{}': '{}' is no label; use at most {} {}, a letter or a digit first", excerpt(item),
+                                 excerpt(label), longest_name, own_name_characters));
+  if (spec.empty())
+    throw UsageError(
+        fmt::format("'{}': the label names nothing; write LABEL=NAME, as in hard=random(0.2)", excerpt(item)));
+  return {std::string(label), spec};
 }
 
 std::string name_identity(std::string_view name) {

@@ -29,12 +29,29 @@ Call split_call(std::string_view name) {
 
 }  // namespace
 
+namespace {
+
+[[noreturn]] void refuse_duplicate(const std::string& name) {
+  throw UsageError(
+      fmt::format("strategy '{}' is given twice: name it once (other names of it count too)", excerpt(name, 100)));
+}
+
+}  // namespace
+
+std::vector<Strategy> merged(std::vector<Strategy> roster) {
+  std::map<std::string, bool> seen;  // by identity: whether it came with a roster or family
+  std::erase_if(roster, [&](const Strategy& strategy) {
+    const auto [first, is_new] = seen.try_emplace(name_identity(strategy.name), strategy.of_family);
+    if (!is_new && !(first->second && strategy.of_family)) refuse_duplicate(strategy.name);
+    return !is_new;
+  });
+  return roster;
+}
+
 void refuse_duplicates(const std::vector<Strategy>& roster) {
   std::set<std::string> seen;
   for (const auto& strategy : roster)
-    if (!seen.insert(name_identity(strategy.name)).second)
-      throw UsageError(fmt::format("strategy '{}' is given twice: name it once (other names of it count too)",
-                                   excerpt(strategy.name, 100)));
+    if (!seen.insert(name_identity(strategy.name)).second) refuse_duplicate(strategy.name);
 }
 
 void Registry::add(Description description, NamedMaker make) {
@@ -74,6 +91,20 @@ const Registry::Named* Registry::find_named(std::string_view name) const {
 }
 
 std::vector<Strategy> Registry::item(std::string_view item, const Payoffs& payoffs) const {
+  const auto [label, spec] = split_label(item);
+  auto found = unlabelled(spec, payoffs);
+  if (!label) return found;
+  if (found.size() != 1)
+    throw UsageError(fmt::format("'{}': a label names one strategy, not {} (of a file: {}=@FILE#NAME)", excerpt(item),
+                                 found.size(), *label));
+  Strategy& strategy = found.front();
+  if (strategy.caveat.starts_with(strategy.name)) strategy.caveat.replace(0, strategy.name.size(), *label);
+  strategy.name = *label;
+  strategy.of_family = false;
+  return found;
+}
+
+std::vector<Strategy> Registry::unlabelled(std::string_view item, const Payoffs& payoffs) const {
   for (const auto& [prefix, description, make] : prefixes_)
     if (item.substr(0, prefix.size()) == prefix) return make(item.substr(prefix.size()), payoffs);
   const Call call = split_call(item);
@@ -83,7 +114,9 @@ std::vector<Strategy> Registry::item(std::string_view item, const Payoffs& payof
     if (call.arguments.has_value() == (make == nullptr))
       throw UsageError(
           fmt::format("'{}': {}", excerpt(item), make ? "needs its parameters in parentheses" : "takes no parameters"));
-    return make ? make(*call.arguments, payoffs) : items(members, payoffs);
+    auto found = make ? make(*call.arguments, payoffs) : items(members, payoffs);
+    for (auto& strategy : found) strategy.of_family = true;
+    return found;
   }
   if (const auto named = named_.find(key); named != named_.end()) {
     const auto& description = strategies_[named->second.description];
@@ -118,14 +151,22 @@ std::vector<Strategy> Registry::items(std::string_view spec, const Payoffs& payo
 }
 
 std::vector<Strategy> Registry::roster(std::string_view spec, const Payoffs& payoffs) const {
-  std::vector<Strategy> roster = items(spec, payoffs);
+  refuse_repeated_groups(split_list(spec));
+  std::vector<Strategy> roster = merged(items(spec, payoffs));
   if (roster.empty())
     throw UsageError("the roster is empty: name strategies, as in 'classics' or 'pavlov,tit_for_tat'");
-  refuse_duplicates(roster);
   return roster;
 }
 
-const Description& Registry::describe(std::string_view name) const {
+void Registry::refuse_repeated_groups(const std::vector<std::string>& parts) const {
+  std::set<std::string> seen;
+  for (const auto& part : parts)
+    if (group_makers_.contains(name_key(part.substr(0, part.find('(')))) && !seen.insert(name_key(part)).second)
+      throw UsageError(fmt::format("'{}' is given twice: name it once", excerpt(part)));
+}
+
+const Description& Registry::describe(std::string_view item) const {
+  const std::string_view name = split_label(item).spec;
   for (const auto& prefix : prefixes_)
     if (name.substr(0, prefix.prefix.size()) == prefix.prefix) return strategies_[prefix.description];
   if (const Named* named = find_named(name)) return strategies_[named->description];

@@ -2,6 +2,7 @@
 // Every strategy that has a name, and the reading of rosters.
 
 #include <folk/games/payoffs.h>
+#include <folk/games/text_file.h>
 #include <folk/strategies/names.h>
 #include <folk/strategies/strategy.h>
 
@@ -28,12 +29,16 @@ using NamedMaker = std::function<Strategy(const std::string& name, std::string_v
 /// Makes all strategies that an item of a roster stands for, in order.
 using GroupMaker = std::function<std::vector<Strategy>(std::string_view item, const Payoffs&)>;
 
+/// Gives the text of a file that a roster names.
+using FileReader = std::function<std::string(const std::string& path)>;
+
 /// Names of strategies, families, rosters, and prefixes like "@" and "exec:".
-/// Names are matched without regard to case, '_' and '-'.
+/// Names are matched without regard to case, blanks, '_' and '-'.
 class Registry {
 public:
-  /// All strategies, families and rosters of Folk itself, "@FILE" and "exec:CMD" included.
-  static Registry standard();
+  /// All strategies, families and rosters of Folk itself, "@FILE" and "exec:CMD" included. `read` gets what stands for
+  /// FILE: a program may take "-" for its standard input, which a library leaves alone.
+  static Registry standard(FileReader read = read_text_file);
 
   /// One strategy whose whole name is known, with its aliases. A name with "(...)" takes arguments.
   /// Throws std::logic_error when one of the names is taken.
@@ -52,11 +57,13 @@ public:
   /// Items that begin with `prefix`; what follows is handed on untouched, case and all ("exec:", "@", "sct:").
   void add_prefix(Description description, std::string prefix, GroupMaker make);
 
-  /// The single strategy of this name. Throws UsageError, naming the nearest names, when there is none or several.
+  /// The single strategy of this name; LABEL=NAME gives it another one. Throws UsageError, naming the nearest names,
+  /// when there is none or several.
   Strategy make(std::string_view name, const Payoffs& payoffs = {}) const;
 
-  /// All strategies of a comma list of names, rosters, families, genotypes, @file, exec:"CMD".
-  /// Commas inside () or quotes do not split. Throws UsageError on an unknown or repeated name and on an empty roster.
+  /// All strategies of a comma list of names, rosters, families, genotypes, @file, exec:"CMD"; LABEL= before an item
+  /// that stands for one strategy renames it. Commas inside () or quotes do not split. What rosters and families share
+  /// is there once. Throws UsageError on an unknown or repeated name and on an empty roster.
   std::vector<Strategy> roster(std::string_view spec, const Payoffs& payoffs = {}) const;
 
   /// Everything listed, in the order of its adding.
@@ -64,8 +71,8 @@ public:
   const std::vector<Description>& groups() const { return groups_; }
 
   /// What is known of the strategy, roster or family that `name` stands for, "gtft(0.3)" and mem12_ccCDCDDCDD included.
-  /// Throws UsageError for an unknown name.
-  const Description& describe(std::string_view name) const;
+  /// A label says nothing about it. Throws UsageError for an unknown name.
+  const Description& describe(std::string_view item) const;
 
 private:
   struct Named {
@@ -88,6 +95,8 @@ private:
   };
 
   std::vector<Strategy> item(std::string_view item, const Payoffs& payoffs) const;
+  std::vector<Strategy> unlabelled(std::string_view item, const Payoffs& payoffs) const;
+  void refuse_repeated_groups(const std::vector<std::string>& parts) const;
   std::vector<Strategy> items(std::string_view spec, const Payoffs& payoffs) const;
   const Named* find_named(std::string_view name) const;
   [[noreturn]] void unknown(std::string_view name) const;
@@ -99,6 +108,10 @@ private:
   std::vector<Form> forms_;
   std::vector<Prefix> prefixes_;
 };
+
+/// The roster with each strategy that several of its rosters and families hold (Strategy::of_family) once, at its first
+/// place. Throws UsageError when two others have the same_name.
+std::vector<Strategy> merged(std::vector<Strategy> roster);
 
 /// Throws UsageError when two strategies of a roster have the same_name.
 void refuse_duplicates(const std::vector<Strategy>& roster);

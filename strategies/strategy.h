@@ -21,6 +21,8 @@ struct Strategy {
   bool deterministic = false;
   /// Its opaque players gain from Player::think_together: hundreds of them are kept at once and asked round by round.
   bool thinks_together = false;
+  /// It stands in the roster as one of a roster or family that was named: where two of them overlap it enters once.
+  bool of_family = false;
   /// What a reader must know of its figures, e.g. "sct extrapolates beyond its 100 trained rounds"; empty: nothing.
   std::string caveat{};
 

@@ -2,6 +2,7 @@
 #include <folk/analysis/replies/bayes_reply.h>
 #include <folk/analysis/replies/posterior.h>
 #include <folk/games/error.h>
+#include <folk/games/rational.h>
 #include <folk/strategies/programs/program_rules.h>
 
 #include <fmt/format.h>
@@ -177,22 +178,23 @@ Arguments arguments_of(std::string_view text) {
   const auto equals = option.find('=');
   if (equals == std::string_view::npos || name_key(trimmed(option.substr(0, equals))) != "depth")
     return {text, std::nullopt};
-  const double depth = parse_number(trimmed(option.substr(equals + 1)), "bayes depth", 1, most_lookahead);
-  if (depth != std::floor(depth)) throw UsageError(fmt::format("bayes depth {}: expected a whole number", depth));
+  const auto depth = parse_whole_number(trimmed(option.substr(equals + 1)), "bayes depth", 1, most_lookahead);
   return {text.substr(0, semicolon), static_cast<unsigned>(depth)};
 }
 
 /// SPEC with every name as the registry writes it; what is no single name stays as it was given.
 std::string canonical(const Registry& registry, std::string_view spec, const Payoffs& payoffs) {
   std::string names;
-  for (const auto& item : split_list(spec)) {
+  for (const auto& labelled : split_list(spec)) {
+    const auto [label, rest] = split_label(labelled);
+    const std::string item(rest);
     std::string name = item;
     const std::string& known = registry.describe(item).name;
     if (item.find('(') == std::string::npos && known.find_first_of("(<@:") == std::string::npos)
       name = known;
     else if (!item.starts_with('@') && !names_a_program(item))
       if (const auto members = registry.roster(item, payoffs); members.size() == 1) name = members.front().name;
-    names += (names.empty() ? "" : ",") + name;
+    names += (names.empty() ? "" : ",") + (label ? *label + "=" : "") + name;
   }
   return names;
 }

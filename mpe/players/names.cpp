@@ -78,16 +78,15 @@ private:
       throw UsageError(fmt::format("random({}): expected random or random(program)", excerpt(arguments)));
     }
     if (head == "untrained") {
-      const double seed = parse_number(arguments, "untrained: seed", 0, 0x1p53);
-      const auto whole = static_cast<std::uint64_t>(seed);
-      if (static_cast<double>(whole) != seed)
-        throw UsageError(fmt::format("untrained: seed '{}': expected a whole number", excerpt(arguments)));
-      return policy_controller(fmt::format("untrained({})", whole), untrained_policy(scenario_, side_, whole), side_,
+      parse_exact_number(arguments, "untrained: seed", 0, 0x1p53);
+      const auto seed = whole_number(arguments);
+      if (!seed) throw UsageError(fmt::format("untrained: seed '{}': expected a whole number", excerpt(arguments)));
+      return policy_controller(fmt::format("untrained({})", *seed), untrained_policy(scenario_, side_, *seed), side_,
                                scenario_);
     }
     if (head != "blend") return std::nullopt;
     const auto first = arguments.find(';');
-    const double p = parse_number(arguments.substr(0, first), "blend: probability", 0, 1);
+    const Rational p = parse_exact_number(arguments.substr(0, first), "blend: probability", 0, 1);
     std::string_view rest = first == std::string_view::npos ? std::string_view() : arguments.substr(first + 1);
     Coin coin = Coin::episode;
     if (const auto last = rest.rfind(';'); name_key(rest.substr(last + 1)) == "shared") {  // npos + 1 is 0

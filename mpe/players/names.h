@@ -19,8 +19,8 @@
 
 namespace folk::mpe {
 
-/// The controller of a name. Case, '_' and '-' do not matter in names; they do in paths and commands. `data`: the
-/// folder of the shipped policies. Throws UsageError for a name that makes no sense for this side, with the nearest
+/// The controller of a name. Case, blanks, '_' and '-' do not matter in names; they do in paths and commands. `data`:
+/// the folder of the shipped policies. Throws UsageError for a name that makes no sense for this side, with the nearest
 /// ones, and InputFileError for a file that cannot be read or is of another scenario or side.
 Controller controller(std::string_view spec, Side side, const Scenario& scenario, const std::filesystem::path& data);
 

@@ -123,6 +123,10 @@ private:
   Random random_{RandomRule::program};
 };
 
+[[noreturn]] void refuse_probability(const std::string& shown) {
+  throw UsageError(fmt::format("blend({}): expected a probability from 0 to 1", shown));
+}
+
 }  // namespace
 
 Controller still_player() {
@@ -139,11 +143,18 @@ Controller lead_pursuit() { return pursuit("lead_pursuit", 3, 0.2, 0.15); }
 Controller greedy_pursuit() { return pursuit("greedy_pursuit", 3, 0, 0); }
 
 Controller blend(double p, Controller one, Coin coin) {
-  if (!(p >= 0 && p <= 1)) throw UsageError(fmt::format("blend({}): expected a probability from 0 to 1", p));
+  if (!(p >= 0 && p <= 1)) refuse_probability(fmt::format("{}", p));
+  return blend(as_written(p), std::move(one), coin);
+}
+
+Controller blend(const Rational& exact, Controller one, Coin coin) {
+  const std::string shown = to_short_text(exact);
+  if (exact < 0 || exact > 1) refuse_probability(shown);
   if (one.name.starts_with("blend("))
-    throw UsageError(fmt::format("blend({};{}): a blend of a blend; take one with the product of both probabilities", p,
-                                 excerpt(one.name)));
-  std::string name = fmt::format("blend({};{}{})", p, one.name, coin == Coin::batch ? ";shared" : "");
+    throw UsageError(fmt::format("blend({};{}): a blend of a blend; take one with the product of both probabilities",
+                                 shown, excerpt(one.name)));
+  std::string name = fmt::format("blend({};{}{})", shown, one.name, coin == Coin::batch ? ";shared" : "");
+  const double p = to_double(exact);
   const bool one_by_one = one.one_by_one;
   return {std::move(name),
           [=, one = std::move(one)](const Layout& layout, Side side) {

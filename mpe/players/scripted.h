@@ -1,6 +1,7 @@
 #pragma once
 // Players that follow a rule: still, at random, in pursuit, and two players mixed by a coin.
 
+#include <folk/games/rational.h>
 #include <folk/mpe/players/player.h>
 
 namespace folk::mpe {
@@ -30,6 +31,9 @@ enum class Coin {
 /// At each step with probability p the one, otherwise random by the published program's rule (Li et al., arXiv
 /// 2310.04579, section 3, where the text says uniform).
 /// Throws UsageError unless 0 <= p <= 1, and for a blend of a blend, where the two coins would be one.
+Controller blend(const Rational& p, Controller one, Coin coin = Coin::episode);
+
+/// The same for the decimal that a double stands for.
 Controller blend(double p, Controller one, Coin coin = Coin::episode);
 
 }  // namespace folk::mpe

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 #include <folk/games/error.h>
-#include <folk/games/text_file.h>
+#include <folk/games/rational.h>
 #include <folk/strategies/machine_text.h>
 #include <folk/strategies/memory_one.h>
 #include <folk/strategies/programs/exec_player.h>
@@ -58,10 +58,19 @@ std::vector<std::string> arguments_of(std::string_view text) {
   return arguments;
 }
 
-std::vector<double> probabilities(const std::vector<std::string>& arguments, std::size_t from, std::string_view what) {
-  std::vector<double> values;
-  for (std::size_t i = from; i < arguments.size(); ++i) values.push_back(parse_number(arguments[i], what, 0, 1));
+std::vector<Rational> probabilities(const std::vector<std::string>& arguments, std::size_t from,
+                                    std::string_view what) {
+  std::vector<Rational> values;
+  for (std::size_t i = from; i < arguments.size(); ++i) values.push_back(parse_exact_number(arguments[i], what, 0, 1));
   return values;
+}
+
+/// Numbers as they stand in a name: "0.3,1/3".
+template <class Numbers>
+std::string listed(const Numbers& numbers) {
+  std::string text;
+  for (const Rational& number : numbers) text += (text.empty() ? "" : ",") + to_short_text(number);
+  return text;
 }
 
 void expect_count(const std::vector<std::string>& arguments, std::size_t least, std::size_t most,
@@ -71,10 +80,7 @@ void expect_count(const std::vector<std::string>& arguments, std::size_t least, 
 }
 
 unsigned small_whole(const std::string& text, std::string_view what, unsigned low, unsigned high) {
-  const double value = parse_number(text, what, low, high);
-  const auto whole = static_cast<unsigned>(value);
-  if (value != whole) throw UsageError(fmt::format("{} '{}': expected a whole number", what, excerpt(text)));
-  return whole;
+  return static_cast<unsigned>(parse_whole_number(text, what, low, high));
 }
 
 // ---- strategies that are data or take no parameters ----
@@ -169,7 +175,7 @@ void add_later(Registry& registry, FiniteLines& finite) {
 
 // ---- strategies with parameters ----
 
-using FourProbabilities = std::array<double, 4>;
+using FourProbabilities = std::array<Rational, 4>;
 
 /// Registers a memory-one strategy whose parameters are all probabilities.
 template <class Make>
@@ -179,8 +185,10 @@ void add_mixed(Registry& registry, Description description, std::size_t count, M
   registry.add(std::move(description), [=](const std::string&, std::string_view text, const Payoffs&) {
     const auto arguments = arguments_of(text);
     expect_count(arguments, count, count, form);
-    const auto p = probabilities(arguments, 0, form);
-    return strategy(fmt::format("{}({})", head, fmt::join(p, ",")), make(p));
+    const auto exact = probabilities(arguments, 0, form);
+    std::vector<double> p;
+    for (const Rational& number : exact) p.push_back(to_double(number));
+    return strategy(fmt::format("{}({})", head, listed(exact)), make(p));
   });
 }
 
@@ -190,37 +198,40 @@ void add_zero_determinant(Registry& registry, Description description, Baseline 
   registry.add(std::move(description), [=](const std::string&, std::string_view text, const Payoffs& payoffs) {
     const auto arguments = arguments_of(text);
     expect_count(arguments, 1, 2, form);
-    const double chi = parse_number(arguments[0], form + " chi", 1, 1e6);
+    const Rational chi = parse_exact_number(arguments[0], form + " chi", 1, 1e6);
     if (arguments.size() == 1)
-      return strategy(fmt::format("{}({})", head, chi), memory_one(1, zero_determinant(payoffs, baseline, chi)));
-    const double phi = parse_number(arguments[1], form + " phi", 0, 1e6);
-    return strategy(fmt::format("{}({};{})", head, chi, phi),
+      return strategy(fmt::format("{}({})", head, to_short_text(chi)),
+                      memory_one(1, zero_determinant(payoffs, baseline, chi)));
+    const Rational phi = parse_exact_number(arguments[1], form + " phi", 0, 1e6);
+    return strategy(fmt::format("{}({};{})", head, to_short_text(chi), to_short_text(phi)),
                     memory_one(1, zero_determinant(payoffs, baseline, chi, phi)));
   });
 }
 
-Strategy memory_one_strategy(double first, const FourProbabilities& p) {
-  const std::string opening = first == 1 ? "c" : first == 0 ? "d" : fmt::format("{}", first);
-  return strategy(fmt::format("mem1({};{})", opening, fmt::join(p, ",")), memory_one(first, p));
+Strategy memory_one_strategy(const Rational& first, const FourProbabilities& p) {
+  const std::string opening = first == 1 ? "c" : first == 0 ? "d" : to_short_text(first);
+  return strategy(fmt::format("mem1({};{})", opening, listed(p)),
+                  memory_one(to_double(first), {to_double(p[0]), to_double(p[1]), to_double(p[2]), to_double(p[3])}));
 }
 
 void add_parametric(Registry& registry) {
   add_mixed(registry, {"random(p)", {}, "C with probability p", mathieu_delahaye}, 1, [](const std::vector<double>& p) {
     return Automaton({{p[0], {0, 0, 0, 0}}}, 0);
   });
-  registry.add(
-      {"mem1(first;pCC,pCD,pDC,pDD)",
-       {},
-       "first c, d or a probability; then C by the last round (own, their)",
-       "Nowak & Sigmund, Acta Applicandae Mathematicae 20, 1990"},
-      [](const std::string& form, std::string_view text, const Payoffs&) {
-        const auto arguments = arguments_of(text);
-        expect_count(arguments, 5, 5, form);
-        const std::string opening = name_key(arguments[0]);
-        const double first = opening == "c" ? 1 : opening == "d" ? 0 : parse_number(arguments[0], "first move", 0, 1);
-        const auto p = probabilities(arguments, 1, form);
-        return memory_one_strategy(first, {p[0], p[1], p[2], p[3]});
-      });
+  registry.add({"mem1(first;pCC,pCD,pDC,pDD)",
+                {},
+                "first c, d or a probability; then C by the last round (own, their)",
+                "Nowak & Sigmund, Acta Applicandae Mathematicae 20, 1990"},
+               [](const std::string& form, std::string_view text, const Payoffs&) {
+                 const auto arguments = arguments_of(text);
+                 expect_count(arguments, 5, 5, form);
+                 const std::string opening = name_key(arguments[0]);
+                 const Rational first = opening == "c"   ? Rational(1)
+                                        : opening == "d" ? Rational(0)
+                                                         : parse_exact_number(arguments[0], "first move", 0, 1);
+                 const auto p = probabilities(arguments, 1, form);
+                 return memory_one_strategy(first, {p[0], p[1], p[2], p[3]});
+               });
   add_mixed(
       registry,
       {"gtft(q)", {}, "C; after their C: C; after their D: C with probability q", "Nowak & Sigmund, Nature 355, 1992"},
@@ -252,18 +263,18 @@ void add_parametric(Registry& registry) {
                [](const std::string& form, std::string_view text, const Payoffs& payoffs) {
                  const auto arguments = arguments_of(text);
                  expect_count(arguments, 1, 3, form);
-                 const double v = parse_number(arguments[0], form + " v", -1e6, 1e6);
+                 const Rational v = parse_exact_number(arguments[0], form + " v", -1e6, 1e6);
                  const auto p = probabilities(arguments, 1, form);
                  const auto given = [&](std::size_t i) { return i < p.size() ? std::optional(p[i]) : std::nullopt; };
-                 return strategy(p.empty() ? fmt::format("equalizer({})", v)
-                                           : fmt::format("equalizer({};{})", v, fmt::join(p, ",")),
+                 return strategy(p.empty() ? fmt::format("equalizer({})", to_short_text(v))
+                                           : fmt::format("equalizer({};{})", to_short_text(v), listed(p)),
                                  memory_one(1, equalizer(payoffs, v, given(0), given(1))));
                });
 }
 
 // ---- names of a form, files and programs ----
 
-void add_forms(Registry& registry) {
+void add_forms(Registry& registry, FileReader read) {
   registry.add_form(
       {"mem<X><Y>_<moves>", {}, "a move by the own last X and their last Y moves: mem12_ccCDCDDCDD", mathieu_delahaye},
       [](std::string_view name, const Payoffs&) -> std::optional<Strategy> {
@@ -284,16 +295,17 @@ void add_forms(Registry& registry) {
                     });
   registry.add_prefix(
       {"@FILE", {}, "all machines of a file, or @FILE#NAME one of them", "docs/machine-files.md"}, "@",
-      [](std::string_view item, const Payoffs&) {
+      [read = std::move(read)](std::string_view item, const Payoffs&) {
         const auto hash = item.rfind('#');
         const std::string path = unquoted(item.substr(0, hash));
         if (path.empty()) throw UsageError("'@' needs the name of a file, as in @my.machines");
+        const std::string source = path == "-" ? "standard input" : path;
         std::vector<Strategy> found;
-        for (auto& [name, machine] : read_machines(read_text_file(path), path))
+        for (auto& [name, machine] : read_machines(read(path), source))
           if (hash == std::string_view::npos || name_key(name) == name_key(item.substr(hash + 1)))
             found.push_back(strategy(name, std::move(machine)));
         if (found.empty())
-          throw InputFileError(fmt::format("{}: no machine of that name ({})", path, item.substr(hash + 1)));
+          throw InputFileError(fmt::format("{}: no machine of that name ({})", source, item.substr(hash + 1)));
         return found;
       });
   for (const char* form : {":\"CMD\"", "(\"CMD\";...)"})
@@ -350,11 +362,11 @@ void add_families(Registry& registry) {
         const unsigned steps = small_whole(std::string(text), "proba(K) K", 1, 9);
         std::vector<Strategy> family;
         const unsigned values = steps + 1;
-        for (const double first : {1.0, 0.0})
+        for (const int first : {1, 0})
           for (unsigned code = 0; code < values * values * values * values; ++code) {
             FourProbabilities p{};
             unsigned rest = code;
-            for (std::size_t i = 4; i-- > 0; rest /= values) p[i] = static_cast<double>(rest % values) / steps;
+            for (std::size_t i = 4; i-- > 0; rest /= values) p[i] = Rational(rest % values, steps);
             family.push_back(memory_one_strategy(first, p));
           }
         return family;
@@ -380,13 +392,13 @@ void add_rosters(Registry& registry) {
 
 }  // namespace
 
-Registry Registry::standard() {
+Registry Registry::standard(FileReader read) {
   Registry registry;
   FiniteLines finite;
   add_classics(registry, finite);
   add_later(registry, finite);
   add_parametric(registry);
-  add_forms(registry);
+  add_forms(registry, std::move(read));
   add_families(registry);
   add_rosters(registry);
   return registry;

@@ -160,6 +160,7 @@ TEST(Criterion, RefusesWrongNumbers) {
 
 TEST(ParseRounds, RefusesWhatIsNoNumberOfRounds) {
   EXPECT_EQ(parse_rounds("1000000000000"), 1'000'000'000'000U);
+  EXPECT_EQ(Criterion::parse("finite:1e3"), Criterion::finite(1000));
   for (const char* text : {"", "0", "-1", "1e30", "1.5", "nan", "inf", "5x", " 5"})
     expect_error<UsageError>([&] { parse_rounds(text); }, "expected a whole number from 1 to 1000000000000000");
 }

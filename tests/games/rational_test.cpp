@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <bit>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -200,6 +202,63 @@ TEST(Rational, IsShownAsAFraction) {
   std::ostringstream out;
   out << Rational(-5, 4) << ' ' << Rational(6, 3);
   EXPECT_EQ(out.str(), "-5/4 2");
+}
+
+TEST(Rational, AnExponentMayHaveLeadingZerosAndBeTooLarge) {
+  EXPECT_EQ(parse_rational("1e0000000000003"), Rational(1000));
+  EXPECT_EQ(parse_rational("5e-007"), parse_rational("0.0000005"));
+  for (const char* text : {"1e999999999", "1e-999999999", "0e99999999999999999999", "1e00000000010000"})
+    expect_error<UsageError>([&] { parse_rational(text); }, "has more than 400 digits");
+}
+
+TEST(Rational, StandsForTheDecimalThatAPersonWrote) {
+  EXPECT_EQ(as_written(0.1), Rational(1, 10));
+  EXPECT_EQ(as_written(5e-324) > 0, true);
+  EXPECT_THROW(as_written(std::nan("")), UsageError);
+  EXPECT_THROW(as_written(HUGE_VAL), UsageError);
+  EXPECT_EQ(to_short_text(Rational(3, 10)), "0.3");
+  EXPECT_EQ(to_short_text(Rational(1, 3)), "1/3");
+  EXPECT_EQ(to_short_text(Rational(2, 4)), "0.5");
+  EXPECT_EQ(to_short_text(parse_rational("1e-7")), "1e-07");
+  EXPECT_EQ(to_short_text(parse_rational("0.12345678901234567890")), "0.1234567890123456789");
+  EXPECT_EQ(to_short_text(parse_rational("1e399")), "1" + std::string(399, '0'));  // no double is as large
+}
+
+TEST(ParseExactNumber, KeepsFractionsAndComparesTheEndsExactly) {
+  EXPECT_EQ(parse_exact_number("1/3", "noise", 0, 1), Rational(1, 3));
+  EXPECT_EQ(parse_exact_number("7/7", "noise", 0, 1), Rational(1));
+  EXPECT_EQ(parse_exact_number("0.1", "noise", 0.1, 1), Rational(1, 10));
+  EXPECT_EQ(parse_number("1/3", "noise", 0, 1), 1.0 / 3);
+  EXPECT_FALSE(std::signbit(parse_number("-0", "noise", 0, 1)));
+  for (const char* text :
+       {"4/3", "-1/3", "1/0", "0/0", "1.00000000000000000001", "-1e-330", "1e999999999", "1/3x", "+1/3", "+1"})
+    expect_error<UsageError>([&] { parse_number(text, "noise", 0, 1); },
+                             std::string("noise '") + text + "': expected a number from 0 to 1");
+}
+
+TEST(ParseWholeNumber, ReadsWhateverDecimalIsWhole) {
+  EXPECT_EQ(parse_whole_number("1e6", "--rounds", 1, 1'000'000), 1'000'000U);
+  EXPECT_EQ(parse_whole_number("2.5e3", "--rounds", 1, 1'000'000), 2'500U);
+  EXPECT_EQ(parse_whole_number("100.0", "--rounds", 1, 1'000'000), 100U);
+  EXPECT_EQ(whole_number("18446744073709551615"), ~std::uint64_t{0});
+  EXPECT_EQ(whole_number("0"), 0U);
+  for (const char* text :
+       {"18446744073709551616", "1e30", "1e999999999", "1.5", "2.55e1", "-1", "+5", "nan", "", "x"}) {
+    EXPECT_EQ(whole_number(text), std::nullopt) << text;
+    expect_error<UsageError>([&] { parse_whole_number(text, "--rounds", 1, 9); },
+                             std::string("--rounds '") + text + "': expected a whole number from 1 to 9");
+  }
+  expect_error<UsageError>([&] { parse_whole_number("1e1", "--rounds", 1, 9); }, "from 1 to 9");
+}
+
+// What was printed by any program is read back to the last bit.
+RC_GTEST_PROP(ParseNumber, ReadsEveryDoubleBack, (std::uint64_t bits)) {
+  const auto number = std::bit_cast<double>(bits);
+  RC_PRE(std::isfinite(number));
+  const double largest = std::numeric_limits<double>::max();
+  RC_ASSERT(parse_number(fmt::format("{}", number), "number", -largest, largest) == number);
+  RC_ASSERT(parse_number(fmt::format("{:.17e}", number), "number", -largest, largest) == number);
+  RC_ASSERT(to_double(as_written(number)) == number);
 }
 
 }  // namespace

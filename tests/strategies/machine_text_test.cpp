@@ -75,6 +75,15 @@ TEST(ReadMachines, ReadsProbabilities) {
   EXPECT_FALSE(machines[0].machine.deterministic());
 }
 
+TEST(ReadMachines, ReadsFractions) {
+  const auto machines = read_machines("machine x\na 1/3 a b\nb 2/2 a a", "x");
+  EXPECT_EQ(machines.at(0).machine.nodes()[0].cooperation, 1.0 / 3);
+  EXPECT_EQ(machines[0].machine.nodes()[1].cooperation, 1.0);
+  EXPECT_EQ(read_machines(write_machine("x", machines[0].machine), "x").at(0).machine, machines[0].machine);
+  for (const char* move : {"4/3", "1/0", "-1/3", "1/", "1e999999999"})
+    EXPECT_FAULT(fmt::format("machine x\nc {} c c", move), fmt::format("my.machines:2: move '{}': expected", move));
+}
+
 TEST(ReadMachines, AcceptsWindowsLineEndsByteOrderMarkAndSemicolons) {
   EXPECT_EQ(read_machines("\xef\xbb\xbfmachine x\r\nc C c d\r\nd D c d", "x").at(0).machine, tit_for_tat);
   EXPECT_EQ(read_machines("machine x; c C c d; d D c d; # ; is no end of a comment\n", "x").at(0).machine, tit_for_tat);

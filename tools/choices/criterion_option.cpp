@@ -27,7 +27,7 @@ Criterion chosen_criterion(const po::variables_map& values) {
   if (values.count("criterion") != 0) choose("criterion", Criterion::parse(text_option(values, "criterion")));
   if (values.count("end-probability") != 0)
     choose("end-probability",
-           Criterion::ending(parse_number(text_option(values, "end-probability"), "--end-probability", 0, 1)));
+           Criterion::ending(parse_exact_number(text_option(values, "end-probability"), "--end-probability", 0, 1)));
   return chosen.value_or(Criterion::finite(100));
 }
 

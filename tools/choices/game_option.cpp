@@ -1,5 +1,7 @@
 #include <folk/tools/choices/game_option.h>
 
+#include <folk/tools/program/standard_input.h>
+
 #include <folk/games/error.h>
 #include <folk/games/stage_games/nfg.h>
 #include <folk/games/utf8.h>
@@ -9,7 +11,12 @@ namespace folk::tools {
 void add_game_options(po::options_description& options) {
   auto add = options.add_options();
   add("payoffs", po::value<std::string>(), "a prisoner's dilemma (default T=5,R=3,P=1,S=0)");
-  add("game", po::value<std::string>(), "a symmetric 2x2 game from a .nfg file, its first action taken as C");
+  add("game", po::value<std::string>(),
+      "a symmetric 2x2 game from a .nfg file, its first action taken as C; - is the standard input");
+}
+
+StageGame read_game(const std::string& file) {
+  return file == "-" ? read_nfg(read_standard_input("--game -"), "standard input") : read_nfg_file(file);
 }
 
 ChosenGame chosen_game(const po::variables_map& values) {
@@ -19,7 +26,7 @@ ChosenGame chosen_game(const po::variables_map& values) {
   if (chosen.from_file && by_letters) throw UsageError("--game and --payoffs contradict: give one of them");
   if (by_letters) chosen.payoffs = parse_payoffs(text_option(values, "payoffs"));
   if (chosen.from_file) {
-    const auto game = read_nfg_file(text_option(values, "game"));
+    const auto game = read_game(text_option(values, "game"));
     chosen.payoffs = symmetric_payoffs(game);
     chosen.title = game.title().empty() ? "without a title" : game.title();
   }

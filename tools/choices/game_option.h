@@ -4,6 +4,7 @@
 #include <folk/tools/program/program.h>
 
 #include <folk/games/payoffs.h>
+#include <folk/games/stage_game.h>
 
 #include <string>
 
@@ -18,6 +19,9 @@ struct ChosenGame {
 
 /// Adds --payoffs and --game.
 void add_game_options(po::options_description& options);
+
+/// The game of a .nfg file; of "-", of the standard input. Throws UsageError, InputFileError.
+StageGame read_game(const std::string& file);
 
 /// What they say; the standard dilemma by default. Throws UsageError when both are given or the game is no symmetric
 /// 2x2 game, InputFileError when the file makes no sense.

@@ -4,10 +4,18 @@
 #include <folk/sct/policy/sct_player.h>
 #include <folk/strategies/registry.h>
 
+#include <string>
+#include <vector>
+
 namespace folk::tools {
 
 /// Registry::standard() and the strategies of the folders above it: bayes(SPEC), sct, sct-bayes, sct:FILE. `options`
-/// says how policies play.
+/// says how policies play; "@-" is a machine file on the standard input.
 Registry standard_names(const sct::PlayOptions& options = {});
+
+/// A roster, made of one SPEC, and after it the entrants of another. What rosters and families of the two share is
+/// there once. Throws UsageError for what is named in both.
+std::vector<Strategy> with_guests(const Registry& registry, std::vector<Strategy> roster, const std::string& spec,
+                                  const std::string& guests_spec, const Payoffs& payoffs);
 
 }  // namespace folk::tools

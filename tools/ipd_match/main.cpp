@@ -4,7 +4,6 @@
 #include <folk/games/criterion.h>
 #include <folk/games/error.h>
 
-#include <charconv>
 #include <functional>
 #include <iostream>
 #include <limits>
@@ -24,9 +23,7 @@ constexpr std::uint64_t most_rounds = 1'000'000;
 
 std::uint64_t rounds_option(const po::variables_map& values) {
   const std::string text = text_option(values, "rounds");
-  std::uint64_t rounds = 0;
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), rounds);
-  if (error == std::errc() && stop == text.data() + text.size() && rounds > most_rounds)
+  if (whole_number(text).value_or(0) > most_rounds)
     throw UsageError(fmt::format(
         "--rounds {}: ipd-match writes every move of at most {} rounds; ipd-tournament takes more", text, most_rounds));
   return whole_option(values, "rounds", 30, 1, most_rounds);
@@ -54,7 +51,7 @@ Program ipd_match() {
   program.usage = "A B [options]";
   program.summary =
       "Plays one match and prints every move. A and B are strategies (see ipd-strategies list), @FILE#MACHINE\n"
-      "or exec:\"COMMAND\"; a strategy can play itself.";
+      "or exec:\"COMMAND\"; LABEL=NAME renames it, @- is a file on the standard input. A strategy can play itself.";
   program.examples = {"ipd-match tit_for_tat prober", "ipd-match gradual \"random(0.5)\" --rounds 100 --seed 7",
                       "ipd-match pavlov pavlov --noise 0.05", "ipd-match spiteful mistrust --format json"};
   auto add = program.options.add_options();

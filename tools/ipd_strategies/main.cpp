@@ -247,7 +247,7 @@ Program ipd_strategies() {
       "with its machine. diff: proves that two strategies answer alike, or prints the shortest play of the opponent\n"
       "that separates them. reply: the best reply to a machine, or with --memory-one the best memory-one reply that "
       "is\n"
-      "found to several. NAME is a strategy, @FILE or @FILE#MACHINE.";
+      "found to several. NAME is a strategy, @FILE or @FILE#MACHINE (@- is the standard input); LABEL=NAME renames it.";
   program.examples = {"ipd-strategies list",
                       "ipd-strategies show pavlov",
                       "ipd-strategies diff spiteful mem11_cCDDD",

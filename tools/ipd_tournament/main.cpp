@@ -31,7 +31,8 @@ Program program() {
   program.summary =
       "Plays every strategy of a roster against every other and itself, exactly wherever that can be done,\n"
       "and prints the ranking. SPEC is a comma list of names, rosters (classics, sct2025, all), families\n"
-      "(memory(1,2)), genotypes (mem12_ccCDCDDCDD), @FILE and exec:\"CMD\"; 'ipd-strategies list' shows all.";
+      "(memory(1,2)), genotypes (mem12_ccCDCDDCDD), @FILE (@- is the standard input) and exec:\"CMD\"; LABEL=NAME\n"
+      "renames one of them. 'ipd-strategies list' shows all.";
   program.examples = {"ipd-tournament", "ipd-tournament --strategies pavlov,tit_for_tat,all_d --rounds 1000",
                       "ipd-tournament --include @examples/my_strategies.machines --noise 0.01 --output results --plot",
                       "ipd-tournament --strategies 'memory(1,2)' --rounds 1000 --format csv",
@@ -64,21 +65,31 @@ struct Field {
   std::size_t core = 0;
 };
 
+/// Takes out what --exclude says: names that entrants go by, labels among them, and what else a SPEC may say.
+void leave_out(std::vector<Strategy>& entrants, const std::string& spec, const Registry& registry,
+               const Payoffs& payoffs) {
+  std::string others;
+  for (const auto& item : split_list(spec)) {
+    const auto called_so = [&](const Strategy& strategy) { return same_name(strategy.name, item); };
+    if (std::erase_if(entrants, called_so) == 0) others += (others.empty() ? "" : ",") + item;
+  }
+  if (others.empty() && !split_list(spec).empty()) return;
+  for (const auto& left_out : registry.roster(others, payoffs)) {
+    const auto same = [&](const Strategy& strategy) { return same_name(strategy.name, left_out.name); };
+    if (std::erase_if(entrants, same) == 0)
+      throw UsageError(fmt::format("--exclude {}: it is not in the roster", left_out.name));
+  }
+}
+
 Field field_of(const po::variables_map& values, const Payoffs& payoffs) {
   const Registry registry = standard_names(chosen_play_options(values));
   Field field{registry.roster(text_option(values, "strategies"), payoffs), 0};
-  if (values.count("exclude") != 0)
-    for (const auto& left_out : registry.roster(text_option(values, "exclude"), payoffs)) {
-      const auto same = [&](const Strategy& strategy) { return same_name(strategy.name, left_out.name); };
-      if (std::erase_if(field.entrants, same) == 0)
-        throw UsageError(fmt::format("--exclude {}: it is not in the roster", left_out.name));
-    }
+  if (values.count("exclude") != 0) leave_out(field.entrants, text_option(values, "exclude"), registry, payoffs);
   if (field.entrants.empty()) throw UsageError("the roster is empty: --exclude leaves nobody");
   field.core = field.entrants.size();
   if (values.count("include") != 0)
-    for (auto& guest : registry.roster(text_option(values, "include"), payoffs))
-      field.entrants.push_back(std::move(guest));
-  refuse_duplicates(field.entrants);
+    field.entrants = with_guests(registry, std::move(field.entrants), text_option(values, "strategies"),
+                                 text_option(values, "include"), payoffs);
   return field;
 }
 

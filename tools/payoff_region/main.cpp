@@ -42,7 +42,7 @@ Program program() {
   auto add = program.options.add_options();
   const auto text = [] { return po::value<std::string>(); };
   add("discount", text(), "discount factor, above 0 and below 1: also the equilibrium payoffs");
-  add("game", text(), "any two-player game from a .nfg file");
+  add("game", text(), "any two-player game from a .nfg file; - is the standard input");
   add("payoffs", text(), "a prisoner's dilemma (default T=5,R=3,P=1,S=0)");
   add("output", text(), "picture to draw: .svg, .png or .pdf");
   add("strategies", text(), "SPEC of a roster whose tournament's pairs are shown as dots; symmetric 2x2 games only");
@@ -63,7 +63,7 @@ std::pair<StageGame, std::string> any_game(const po::variables_map& values, cons
     return {stage_game(chosen.payoffs), fmt::format("{} ({})", chosen.title, to_text(chosen.payoffs))};
   }
   if (values.count("payoffs") != 0) throw UsageError("--game and --payoffs contradict: give one of them");
-  StageGame game = read_nfg_file(text_option(values, "game"));
+  StageGame game = read_game(text_option(values, "game"));
   std::string title = game.title().empty() ? "game without a title" : game.title();
   return {std::move(game), std::move(title)};
 }
@@ -71,18 +71,16 @@ std::pair<StageGame, std::string> any_game(const po::variables_map& values, cons
 /// 0.9 or 9/10.
 std::optional<Rational> chosen_discount(const po::variables_map& values) {
   if (values.count("discount") == 0) return std::nullopt;
-  const std::string text = text_option(values, "discount");
-  if (text.find('/') == std::string::npos) parse_number(text, "--discount", 0, 1);  // its message knows the option
-  return Criterion::discounted(parse_rational(text)).exact_continuation();
+  return Criterion::discounted(parse_exact_number(text_option(values, "discount"), "--discount", 0, 1))
+      .exact_continuation();
 }
 
 std::vector<Strategy> entrants_of(const po::variables_map& values, const Payoffs& payoffs) {
   const Registry registry = standard_names(chosen_play_options(values));
   auto entrants = registry.roster(text_option(values, "strategies"), payoffs);
-  if (values.count("include") != 0)
-    for (auto& guest : registry.roster(text_option(values, "include"), payoffs)) entrants.push_back(std::move(guest));
-  refuse_duplicates(entrants);
-  return entrants;
+  if (values.count("include") == 0) return entrants;
+  return with_guests(registry, std::move(entrants), text_option(values, "strategies"), text_option(values, "include"),
+                     payoffs);
 }
 
 /// The pairs of a finished tournament, the earlier in the roster as the row player.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <folk/games/error.h>
+#include <folk/games/rational.h>
 #include <folk/games/utf8.h>
 #include <folk/strategies/names.h>
 #include <folk/strategies/nearest_names.h>
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -212,12 +212,7 @@ std::string text_option(const po::variables_map& values, const char* name, std::
 std::uint64_t whole_option(const po::variables_map& values, const char* name, std::uint64_t fallback, std::uint64_t low,
                            std::uint64_t high) {
   if (values.count(name) == 0) return fallback;
-  const auto& text = values[name].as<std::string>();
-  std::uint64_t number = 0;
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || stop != text.data() + text.size() || number < low || number > high)
-    throw UsageError(fmt::format("--{} '{}': expected a whole number from {} to {}", name, text, low, high));
-  return number;
+  return parse_whole_number(values[name].as<std::string>(), fmt::format("--{}", name), low, high);
 }
 
 std::string version_text(std::string_view program) {

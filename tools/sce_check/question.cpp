@@ -34,6 +34,13 @@ bool is_file_name(const Registry& registry, const std::string& name) {
   }
 }
 
+/// POLICY as a label and what it labels; the name of a file may hold a '='.
+LabelledItem policy_named(const std::string& name) {
+  std::error_code error;
+  if (fs::is_regular_file(name, error)) return {std::nullopt, name};
+  return split_label(name);
+}
+
 /// A gain that is allowed, kept as it was written: "0.1", "2/3".
 Rational epsilon_payoff(const po::variables_map& values) {
   const Rational epsilon = parse_rational(text_option(values, "epsilon-payoff", "0"));
@@ -106,8 +113,10 @@ SceQuestion sce_question(const po::variables_map& values, const Common& common) 
   const sct::PlayOptions options = chosen_play_options(values);
   const Registry registry = standard_names(options);
   SceQuestion question;
-  const bool is_file = is_file_name(registry, names[0]);
-  const auto file = is_file ? std::optional<fs::path>(names[0]) : policy_file(names[0]);
+  const auto [label, spec] = policy_named(names[0]);
+  const std::string named(spec);
+  const bool is_file = is_file_name(registry, named);
+  const auto file = is_file ? std::optional<fs::path>(named) : policy_file(named);
   if (file) question.mind = read_mind(*file);
   const auto* training = question.mind ? &question.mind->policy.training : nullptr;
 
@@ -116,7 +125,7 @@ SceQuestion sce_question(const po::variables_map& values, const Common& common) 
   if (training != nullptr && own_game) question.game.payoffs = training->payoffs;
   question.payoffs = question.game.payoffs;
   const Payoffs& payoffs = question.payoffs;
-  question.policy = file ? sct::transformer(is_file ? "sct:" + names[0] : names[0], question.mind, options)
+  question.policy = file ? sct::transformer(label.value_or(is_file ? "sct:" + named : named), question.mind, options)
                          : registry.make(names[0], payoffs);
 
   const bool own_criterion =

@@ -9,7 +9,6 @@
 #include <folk/strategies/nearest_names.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -31,18 +30,10 @@ struct Key {
   std::function<std::string(const TrainConfig&)> show;
 };
 
-std::uint64_t whole_number(const std::string& text, const std::string& what, std::uint64_t low, std::uint64_t high) {
-  std::uint64_t number = 0;
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || stop != text.data() + text.size() || number < low || number > high)
-    throw UsageError(fmt::format("{} '{}': expected a whole number from {} to {}", what, excerpt(text), low, high));
-  return number;
-}
-
 template <class Field>
 Key whole_key(std::string name, std::string help, std::uint64_t low, std::uint64_t high, Field field) {
   const auto set = [=](TrainConfig& config, const std::string& text, const std::string& what) {
-    field(config) = whole_number(text, what, low, high);
+    field(config) = parse_whole_number(text, what, low, high);
   };
   return {std::move(name), std::move(help), set,
           [=](const TrainConfig& config) { return fmt::to_string(field(config)); }};
@@ -78,9 +69,8 @@ void check_loss(const std::string& text, const std::string& what) {
 std::uint64_t decay_steps(const std::string& text, std::uint64_t all, const std::string& what) {
   if (text == "no") return 0;
   if (text == "yes") return all;
-  std::uint64_t number = 0;
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || stop != text.data() + text.size() || number == 0 || number > most_steps)
+  const std::uint64_t number = whole_number(text).value_or(0);
+  if (number == 0 || number > most_steps)
     throw UsageError(fmt::format("{} '{}': expected yes, no or a number of steps", what, excerpt(text)));
   return number;
 }
@@ -128,7 +118,7 @@ const std::vector<Key>& keys() {
           [](auto& c) -> auto& { return c.roster; }, any_text),
       {"rounds", "of a match (default 100, of a folder what it holds)",
        [](TrainConfig& c, const std::string& text, const std::string& what) {
-         c.rounds = whole_number(text, what, 1, most_rounds);
+         c.rounds = parse_whole_number(text, what, 1, most_rounds);
        },
        [](const TrainConfig& c) { return c.rounds == 0 ? "" : fmt::to_string(c.rounds); }},
       {"payoffs", "a prisoner's dilemma",

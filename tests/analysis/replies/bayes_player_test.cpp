@@ -172,6 +172,14 @@ TEST(BayesPlayer, IsDescribed) {
   EXPECT_TRUE(registry.make("bayes(classics)").deterministic);
 }
 
+TEST(BayesPlayer, KnowsLabelsAndNumbersAsPeopleWriteThem) {
+  const auto registry = with_bayes();
+  EXPECT_EQ(registry.make("bayes(hard=random(2/6),Tit For Tat;depth=2e0)").name,
+            "bayes(hard=random(1/3),tit_for_tat;depth=2)");
+  EXPECT_EQ(registry.make("x=bayes(tft,all_d)").name, "x");
+  EXPECT_THROW(registry.make("bayes(tft;depth=1.5)"), UsageError);
+}
+
 TEST(BayesPlayer, ACloneGoesOnAlone) {
   const auto registry = with_bayes();
   for (const char* name : {"bayes(tit_for_tat,all_d,all_c)", "bayes(tit_for_tat,all_d,all_c;depth=3)"}) {

@@ -40,6 +40,7 @@ TEST(PlayerNames, AreMatchedWithoutCaseUnderscoresAndHyphens) {
   EXPECT_EQ(make("Greedy_Pursuit", Side::predators).name, "greedy_pursuit");
   EXPECT_EQ(make("MADDPG", Side::prey).name, "maddpg");
   EXPECT_EQ(make("Un_trained(12)", Side::prey).name, "untrained(12)");
+  EXPECT_EQ(make("untrained(1.2e1)", Side::prey).name, "untrained(12)");
 }
 
 TEST(PlayerNames, OfABlend) {
@@ -48,12 +49,14 @@ TEST(PlayerNames, OfABlend) {
   EXPECT_EQ(make("Blend(.25;STILL)", Side::prey).name, "blend(0.25;still)");
   EXPECT_EQ(make("blend(1;shared)", Side::prey).name, "blend(1;released;shared)");
   EXPECT_EQ(make("blend(0;lead-pursuit;SHARED)", Side::predators).name, "blend(0;lead_pursuit;shared)");
+  EXPECT_EQ(make("blend(1/3;Lead Pursuit)", Side::predators).name, "blend(1/3;lead_pursuit)");
+  EXPECT_EQ(make("blend(2/4;still)", Side::prey).name, "blend(0.5;still)");
   EXPECT_EQ(make("blend(0.5;random(program))", Side::prey).name, "blend(0.5;random(program))");
   EXPECT_EQ(make("blend(0.5;exec:\"a;shared\")", Side::prey).name, "blend(0.5;exec:\"a;shared\")");
 }
 
 TEST(PlayerNames, OfABlendThatMakesNoSense) {
-  for (const char* p : {"1.5", "-0.1", "", "nan", "half", "0.5x", "0.5,still", " 0.5"})
+  for (const char* p : {"1.5", "-0.1", "", "nan", "half", "0.5x", "0.5,still", " 0.5", "4/3", "1/0"})
     expect_name_refusal("blend(" + std::string(p) + ")", Side::prey,
                         "blend: probability '" + std::string(p) + "': expected a number from 0 to 1");
   expect_name_refusal("blend(0.5;lead_pursuit)", Side::prey, "'lead_pursuit': no player of the prey");

@@ -67,6 +67,20 @@ class Show(unittest.TestCase):
                 self.assertEqual(found["result"], "equivalent", name)
                 self.assertTrue(text("show", name).endswith(path.read_text()))
 
+    def test_fractions_are_kept_exactly(self):
+        shown = result("show", "zd_extort(4;1/17)")
+        self.assertEqual(shown["name"], "zd_extort(4;1/17)")
+        probabilities = {line.split()[1] for line in shown["machine"].splitlines()[1:] if line[:5] != "start"}
+        self.assertEqual(probabilities, {"C", "D", "0.6470588235294118", "0.47058823529411764"})  # 11/17, 0, 8/17, 0
+        self.assertEqual(result("show", "gtft(2/6)")["name"], "gtft(1/3)")
+        self.assertIn("0.3333333333333333", result("show", "gtft(1/3)")["machine"])
+
+    def test_names_may_hold_blanks_and_labels(self):
+        self.assertEqual(result("show", "Win-Stay Lose-Shift")["name"], "pavlov")
+        shown = text("show", "mine=Tit For Tat")
+        self.assertTrue(shown.startswith("mine\n  described as   tit_for_tat\n"), shown)
+        self.assertIn("machine mine\n", shown)
+
     def test_machines_without_end_say_so(self):
         shown = text("show", "GoByMajority")
         self.assertIn("soft_majo\n  also known as  GoByMajority\n", shown)

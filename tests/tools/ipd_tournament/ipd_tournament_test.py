@@ -22,12 +22,12 @@ STAG_HUNT = 'NFG 1 R "Stag hunt" { "Row" "Column" } { { "stag" "hare" } { "stag"
 MACHINES = "machine grim  # never forgives\nok C ok bad\nbad D bad bad\nmachine nice; c C c c\n"
 
 
-def run(*arguments):
-    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=60)
+def run(*arguments, **how):
+    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=60, **how)
 
 
-def output(*arguments):
-    done = run(*arguments)
+def output(*arguments, **how):
+    done = run(*arguments, **how)
     assert done.returncode == 0, done
     assert done.stderr == "", done.stderr
     return done.stdout
@@ -50,6 +50,52 @@ def matrix(path):
     """Names, cells and totals of a golden table."""
     header, *rows = table(path)
     return header[1:-1], [[int(cell) for cell in row[1:-1]] for row in rows], [int(row[-1]) for row in rows]
+
+
+class NumbersAndNames(unittest.TestCase):
+    def test_fractions_are_numbers(self):
+        few = ("--strategies", "tit_for_tat,pavlov,all_d")
+        for option, fraction, decimal in (("--noise", "1/8", "0.125"), ("--end-probability", "1/4", "0.25"),
+                                          ("--criterion", "discounted:9/10", "discounted:0.9")):
+            self.assertEqual(output(*few, option, fraction), output(*few, option, decimal))
+        self.assertIn("noise 0.3333333333333333,", output(*few, "--noise", "1/3"))
+        self.assertIn("ending:1/3,", output(*few, "--end-probability", "1/3"))
+        self.assertEqual(set(by_name(result("--strategies", "gtft(1/3),all_d"))), {"all_d", "gtft(1/3)"})
+
+    def test_whole_numbers_may_have_an_exponent(self):
+        few = ("--strategies", "tit_for_tat,pavlov,all_d")
+        self.assertEqual(output(*few, "--rounds", "1e3"), output(*few, "--criterion", "finite:1000"))
+        self.assertEqual(output(*few, "--seed", "2.5e3", "--repetitions", "1e2", "--threads", "1e0"),
+                         output(*few, "--seed", "2500"))
+
+    def test_blanks_in_names(self):
+        self.assertEqual(set(by_name(result("--strategies", "Tit For Tat,Win-Stay Lose-Shift"))), {"tit_for_tat", "pavlov"})
+
+    def test_rosters_and_families_that_overlap_merge(self):
+        names = by_name(result("--strategies", "classics,periodic(2)", "--rounds", "10"))
+        self.assertEqual(len(names), 17 + 6 - 1)  # per_cd
+        merged = result("--strategies", "classics", "--include", "sct2025,periodic(2)", "--rounds", "10")
+        self.assertEqual(len(by_name(merged)), 17 + 2 + 5)
+
+    def test_labels_are_what_is_shown(self):
+        found = by_name(result("--strategies", "hard=random(0.2),soft=random(0.8),pavlov"))
+        self.assertEqual(set(found), {"hard", "soft", "pavlov"})
+        self.assertNotEqual(output("--strategies", "a=all_c").splitlines()[-1],
+                            output("--strategies", "all_c").splitlines()[-1])  # the signature
+        self.assertEqual(set(by_name(result("--strategies", "hard=random(0.2),classics", "--exclude", "hard,all_c"))),
+                         set(by_name(result())) - {"all_c"})
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "one").write_text("machine same; c C c c\n")
+            (Path(folder) / "two").write_text("machine same; d D d d\nmachine other; c C c c\n")
+            ranking = by_name(result("--strategies", f"x=@{folder}/one,y=@{folder}/two#same"))
+            self.assertEqual(list(ranking), ["y", "x"])
+            self.assertIn("'same' is given twice", run("--strategies", f"@{folder}/one,@{folder}/two").stderr)
+            self.assertIn("not 2 (of a file: y=@FILE#NAME)", run("--strategies", f"y=@{folder}/two").stderr)
+
+    def test_the_standard_input_is_a_file(self):
+        self.assertEqual(set(by_name(json.loads(output("--strategies", "@-,pavlov", "--format", "json", input=MACHINES)))),
+                         {"grim", "nice", "pavlov"})
+        self.assertIn("Stag hunt", output("--game", "-", "--strategies", "all_c,all_d", input=STAG_HUNT))
 
 
 class Published(unittest.TestCase):

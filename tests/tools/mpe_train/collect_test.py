@@ -374,7 +374,7 @@ class Usage(Collecting):
                                 ((*PLAYERS, "--scenario", "simple_spread"), "simple_tag or simple_world"),
                                 ((*PLAYERS, "--transitions", "26"), "a multiple of it is needed: 25"),
                                 ((*PLAYERS, "--transitions", "24"), "--transitions '24'"),
-                                ((*PLAYERS, "--transitions", "1e6"), "--transitions '1e6'"),
+                                ((*PLAYERS, "--transitions", "1e30"), "--transitions '1e30'"),
                                 ((*PLAYERS, "--noise", "-0.1"), "--noise '-0.1'"), ((*PLAYERS, "--noise", "nan"), "--noise 'nan'"),
                                 ((*PLAYERS, "--dtype", "float16"), "expected float32 or float64"),
                                 ((*PLAYERS, "--reward-rule", "mine"), "expected program or paper"),

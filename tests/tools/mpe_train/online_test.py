@@ -109,7 +109,7 @@ class MpeTrainTest(unittest.TestCase):
             (["--learning-rate", "nan"], 2, "--learning-rate"),
             (["--discount", "1"], 2, "--discount 1: expected a number from 0 to 0.99999"),
             (["--batch", "0"], 2, "--batch 0"),
-            (["--episodes", "1e5"], 2, "--episodes '1e5'"),
+            (["--episodes", "1e30"], 2, "--episodes '1e30'"),
             (["--seed", "-1"], 2, "--seed '-1'"),
             (["--resume"], 2, "--resume needs the folder of the checkpoints"),
             (["--prey-output", here], 2, "the prey does not learn in this run"),

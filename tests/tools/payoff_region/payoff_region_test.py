@@ -18,18 +18,23 @@ DILEMMA = TREE / "tests" / "data" / "dilemma_9_10.nfg"
 EMPTY = TREE / "tests" / "data" / "no_pure_equilibrium.nfg"
 
 
-def run(*arguments):
-    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=120)
+def run(*arguments, **how):
+    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=120, **how)
 
 
-def text(*arguments):
-    done = run(*arguments)
+def text(*arguments, **how):
+    done = run(*arguments, **how)
     assert done.returncode == 0, done.stderr
     return done.stdout
 
 
 def report(*arguments):
     return json.loads(text(*arguments, "--format", "json"))
+
+
+class Input(unittest.TestCase):
+    def test_the_game_may_come_on_the_standard_input(self):
+        self.assertEqual(text("--game", "-", input=open(ARTICLE).read()), text("--game", ARTICLE))
 
 
 class Sets(unittest.TestCase):

@@ -67,7 +67,7 @@ class WrongUsage(Errors):
         self.refused(2, "pavlow", "-o", "x.svg", program="strategy-graph", says="pavlov")
 
     def test_names_with_wrong_parameters(self):
-        for name in ("random(1.5)", "random(nan)", "random()", "random(0.5", "gtft(x)", "zd_extort(0.5)", "per_",
+        for name in ("random(4/3)", "gtft(1/0)", "zd_extort(4;1/16)", "random(1.5)", "random(nan)", "random()", "random(0.5", "gtft(x)", "zd_extort(0.5)", "per_",
                      "per_cx", "mem12_ccCDCD", "memory(2,2)", "memory(9,9)", "memory(-1,1)", "memory(a,b)", "memory()",
                      "mem1(c;0.9,0.1,0.8)"):
             self.refused(2, "--strategies", name)
@@ -80,7 +80,8 @@ class WrongUsage(Errors):
             self.refused(2, "--payoffs", payoffs, says="T=5,R=3,P=1,S=0")
 
     def test_noise(self):
-        for noise in ("1.5", "-0.1", "nan", "NaN", "inf", "abc", "", "0.1x", "0,1", "1e400"):
+        for noise in ("1.5", "-0.1", "nan", "NaN", "inf", "abc", "", "0.1x", "0,1", "1e400", "1e999999999", "4/3", "1/0",
+                      "1/3/5", "-1/3"):
             self.refused(2, "--noise", noise, says=("--noise", "from 0 to 1"))
 
     def test_rounds(self):
@@ -99,7 +100,7 @@ class WrongUsage(Errors):
 
     def test_whole_numbers(self):
         for option in ("--threads", "--repetitions"):
-            for number in ("0", "-1", "x", "", "1.5", "1e3", "99999999999999999999999"):
+            for number in ("0", "-1", "x", "", "1.5", "1e30", "1e999999999", "nan", "1/2", "99999999999999999999999"):
                 self.refused(2, option, number, says=(option, "expected a whole number from 1 to"))
         for seed in ("x", "-1", "", "18446744073709551616"):
             self.refused(2, "--seed", seed, says=("--seed", f"'{seed}'"))
@@ -118,11 +119,35 @@ class WrongUsage(Errors):
         self.refused(2, "--strategies", "classics,pavlov", says="'pavlov' is given twice")
         self.refused(2, "--include", "win_stay_lose_shift", says="'pavlov' is given twice")
         self.refused(2, "--include", "random(0.5),random(0.5)", says="given twice")
+        self.refused(2, "--strategies", "classics,Classics", says="'Classics' is given twice")
+        self.refused(2, "--include", "classics", says="'classics' is given twice")
+        self.refused(2, "--strategies", "periodic(2),per_cd", says="'per_cd' is given twice")
         mine = self.file("mine.machines", "machine pavlov; c C c c\n")
         self.refused(2, "--include", "@" + mine, says="'pavlov' is given twice")
         # Nothing was made for a tournament that was not played.
         self.refused(2, "--include", "pavlov", "--output", str(self.folder / "results"))
         self.assertFalse((self.folder / "results").exists())
+
+    def test_labels(self):
+        self.refused(2, "--strategies", "a=classics", says=("'a=classics'", "a label names one strategy, not 17"))
+        self.refused(2, "--strategies", "a=pavlov,A=tft", says="'A' is given twice")
+        self.refused(2, "--strategies", "pavlov=tft,pavlov", says="'pavlov' is given twice")
+        self.refused(2, "--strategies", "=pavlov", says="is no label; use at most 100 letters, digits and _ . - +")
+        self.refused(2, "--strategies", "my pavlov=pavlov", says="'my pavlov' is no label")
+        self.refused(2, "--strategies", "a=", says="write LABEL=NAME, as in hard=random(0.2)")
+        self.refused(2, "--strategies", "a=pavlow", says="did you mean pavlov")
+        self.refused(2, "--strategies", "a=pavlov", "--include", "a=tft", says="'a' is given twice")
+
+    def test_the_standard_input_is_read_once(self):
+        machine = "machine a; c C c c\nmachine b; d D d d\n"
+        for program, *arguments in (("ipd-match", "@-#a", "@-#b"), ("ipd-strategies", "diff", "@-#a", "@-#b"),
+                                    ("ipd-tournament", "--strategies", "@-,x=@-#a"),
+                                    ("ipd-tournament", "--strategies", "@-", "--include", "@-")):
+            self.refused(2, *arguments, program=program, input=machine,
+                         says="@-: the standard input can be read once, and another @- has read it; name a file")
+        game = 'NFG 1 R "Stag hunt" { "A" "B" } { 2 2 }\n4 4 0 3 3 0 2 2\n'
+        self.refused(2, "--game", "-", "--strategies", "@-", input=game,
+                     says="@-: the standard input can be read once, and --game - has read it; name a file")
 
     def test_options_no_program_has(self):
         for program in PROGRAMS:
@@ -198,6 +223,12 @@ class BadInputFiles(Errors):
             self.refused(3, "all_c", "@" + path, program="ipd-match", says=path + says)
             self.refused(3, "show", "@" + path, program="ipd-strategies", says=path + says)
             self.refused(3, "@" + path, "-o", "x.svg", program="strategy-graph", says=path + says)
+
+    def test_what_is_wrong_on_the_standard_input(self):
+        self.refused(3, "--strategies", "@-", input="machine a\nc C c d\n", says="standard input:2: unknown state 'd'")
+        self.refused(3, "--strategies", "@-#b", input="machine a\nc C c c\n", says="standard input: no machine of that")
+        self.refused(3, "--strategies", "@-", input="", says="standard input:1: no machine in this file")
+        self.refused(3, "--game", "-", input="hello", says="standard input:1:")
 
     def test_files_that_are_not_there(self):
         for option, name in (("--strategies", "@nosuch"), ("--include", "@nosuch"), ("--game", "nosuch")):

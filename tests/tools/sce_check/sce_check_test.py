@@ -121,6 +121,11 @@ class Report(unittest.TestCase):
         self.assertEqual(len(rows), 18)
         self.assertTrue(all(row.count(",") == rows[0].count(",") for row in rows))
 
+    def test_labels_and_fractions(self):
+        found = check("mine=pavlov", "theirs=Tit For Tat", "--criterion", "discounted:3/5", "--epsilon-payoff", "1/3",
+                      "--epsilon-belief", "1/20")
+        self.assertEqual((found["policy"], found["opponents"][0]["opponent"]), ("mine", "theirs"))
+
     def test_policy_without_metadata_of_its_own_meets_the_classics(self):
         report = check("tit_for_tat", "--criterion", "finite:10")
         self.assertEqual(len(report["opponents"]), 17)

@@ -293,7 +293,7 @@ class Configuring(Training):
         self.refused(3, "--config", ".", says="is a directory")
 
     def test_bad_options(self):
-        for arguments, says in ((("--hidden", "0"), "--hidden '0'"), (("--steps", "1e3"), "--steps '1e3'"),
+        for arguments, says in ((("--hidden", "0"), "--hidden '0'"), (("--steps", "1e30"), "--steps '1e30'"),
                                 (("--heads", "3"), "not divided by heads"), (("--roster", "tit_for_tut"), "tit_for_tat"),
                                 (("--payoffs", "T=4,R=3,P=1,S=0"), "Give targets"), (("--threads", "0"), "--threads"),
                                 (("--validation-seed", "1"), "numbers of their own"), (("--frobnicate",), "frobnicate"),
