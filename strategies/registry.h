@@ -21,6 +21,7 @@ struct Description {
   std::vector<std::string> aliases;  ///< other names in the literature, matched like the name itself
   std::string behaviour;             ///< what it plays, in one line
   std::string reference;             ///< who described it, where
+  std::string elsewhere{};           ///< who means another strategy by the name, and what that one is called here
 };
 
 /// Makes a strategy from its full name; the text between the parentheses is `arguments`.

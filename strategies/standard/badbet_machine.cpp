@@ -66,7 +66,9 @@ State BadbetMachine::next(State state, Move own, Move theirs) const {
   book.scores[book.bet] += points[Outcome{own, theirs}.index()];
   switch (book.bet) {
     case tit_for_tat: book.provoked = theirs == Move::D; break;
-    case spiteful: book.spited = book.spited || own == Move::D || theirs == Move::D; break;
+    case spiteful:
+      book.spited = (book.spited && spite_ == Spite::for_ever) || own == Move::D || theirs == Move::D;
+      break;
     case per_ccd: book.place = (book.place + 1) % 3; break;
     default: break;
   }

@@ -10,9 +10,21 @@ namespace folk {
 /// plays it 4 rounds. Each sees only the rounds it played. Scores count 5, 3, 1, 0 whatever the game.
 class BadbetMachine final : public Machine {
 public:
+  /// When its spiteful defects.
+  enum class Spite {
+    for_ever,       ///< once either side has played D
+    of_last_round,  ///< when either has in the last round that it played: the program of Mathieu & Delahaye
+  };
+
+  explicit BadbetMachine(Spite spite)
+      : spite_(spite) {}
+
   State start() const override;
   double cooperation(State state) const override;
   State next(State state, Move own, Move theirs) const override;
+
+private:
+  Spite spite_;
 };
 
 }  // namespace folk

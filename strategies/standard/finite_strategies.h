@@ -15,6 +15,7 @@ struct FiniteStrategy {
   std::string_view machine;
   std::string_view behaviour;
   std::string_view reference;
+  std::string_view elsewhere{};  ///< who means another strategy by the name, and what that one is called here
 };
 
 const std::vector<FiniteStrategy>& finite_strategies();

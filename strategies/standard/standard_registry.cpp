@@ -96,7 +96,8 @@ void add_finite(Registry& registry, const FiniteStrategy& entry) {
   registry.add({std::string(entry.name),
                 {entry.aliases.begin(), entry.aliases.end()},
                 std::string(entry.behaviour),
-                std::string(entry.reference)},
+                std::string(entry.reference),
+                std::string(entry.elsewhere)},
                [data = entry.machine](const std::string& full_name, std::string_view, const Payoffs&) {
                  return Strategy{full_name, machine_of(data), nullptr};
                });
@@ -169,8 +170,16 @@ void add_later(Registry& registry, FiniteLines& finite) {
                {},
                "4 rounds each of tit_for_tat, all_c, spiteful, per_ccd; then 4 rounds of the one "
                "that paid most since it was last picked",
-               mathieu_delahaye},
-              BadbetMachine());
+               mathieu_delahaye,
+               "the program of Mathieu & Delahaye bets on a spiteful that looks back one round, and so differs once a "
+               "move of its own slips: mathieu_badbet"},
+              BadbetMachine(BadbetMachine::Spite::for_ever));
+  add_machine(registry,
+              {"mathieu_badbet",
+               {},
+               "as badbet, but with mathieu_spiteful for spiteful",
+               "cristal-smac/ipd at 40c86c7, the program of Mathieu & Delahaye"},
+              BadbetMachine(BadbetMachine::Spite::of_last_round));
 }
 
 // ---- strategies with parameters ----

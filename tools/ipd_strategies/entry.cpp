@@ -56,6 +56,7 @@ Json entry_json(const Entry& entry) {
   }
   json["behaviour"] = entry.description.behaviour;
   json["reference"] = entry.description.reference;
+  json["elsewhere"] = entry.description.elsewhere.empty() ? Json(nullptr) : Json(entry.description.elsewhere);
   return json;
 }
 
@@ -65,10 +66,10 @@ std::string entry_csv(const std::string& kind, const Entry& entry) {
     cells = {to_string(facts->memory), states_text(*facts, facts->states),
              states_text(*facts, facts->states_any_own_moves), yes_no(facts->deterministic),
              yes_no(facts->niceness.nice)};
-  const auto& [name, aliases, behaviour, reference] = entry.description;
-  return fmt::format("{},{},{},{},{},{}\n", kind, csv_field(name),
-                     csv_field(fmt::format("{}", fmt::join(aliases, ";"))), fmt::join(cells, ","), csv_field(behaviour),
-                     csv_field(reference));
+  const Description& description = entry.description;
+  return fmt::format("{},{},{},{},{},{}\n", kind, csv_field(description.name),
+                     csv_field(fmt::format("{}", fmt::join(description.aliases, ";"))), fmt::join(cells, ","),
+                     csv_field(description.behaviour), csv_field(description.reference));
 }
 
 }  // namespace folk::tools

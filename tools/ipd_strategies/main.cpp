@@ -77,6 +77,14 @@ std::string with_aliases(const Description& description) {
   return fmt::format("{} (also {})", description.behaviour, fmt::join(description.aliases, ", "));
 }
 
+/// Of the strategies that have a line of facts.
+std::size_t widest_name(const std::vector<Entry>& entries) {
+  std::size_t width = 0;
+  for (const auto& entry : entries)
+    if (entry.facts) width = std::max(width, entry.description.name.size());
+  return width;
+}
+
 std::size_t widest_name(const std::vector<Description>& descriptions) {
   std::size_t width = 0;
   for (const auto& description : descriptions) width = std::max(width, description.name.size());
@@ -85,6 +93,7 @@ std::size_t widest_name(const std::vector<Description>& descriptions) {
 
 void print_list(const std::vector<Entry>& entries, const std::vector<Description>& groups) {
   constexpr std::size_t page = 120;
+  constexpr std::size_t columns_of_facts = 44;
   std::vector<Description> families;
   std::vector<Description> players;
   Table strategies({"name", "memory", "states", "deterministic", "nice", "behaviour"});
@@ -97,7 +106,7 @@ void print_list(const std::vector<Entry>& entries, const std::vector<Description
     add_wrapped(strategies,
                 {entry.description.name, to_string(facts.memory), states_text(facts, facts.states),
                  yes_no(facts.deterministic), yes_no(facts.niceness.nice), with_aliases(entry.description)},
-                page - 62);
+                page - columns_of_facts - widest_name(entries));
   }
   std::cout << strategies.text();
   const auto print = [](const std::string& title, const std::vector<Description>& descriptions) {
@@ -127,9 +136,11 @@ int list(const Common& common) {
     json["strategies"] = Json::array();
     for (const auto& entry : entries) json["strategies"].push_back(entry_json(entry));
     json["groups"] = Json::array();
-    for (const auto& [name, aliases, behaviour, reference] : registry.groups())
-      json["groups"].push_back(
-          {{"name", name}, {"aliases", aliases}, {"behaviour", behaviour}, {"reference", reference}});
+    for (const auto& group : registry.groups())
+      json["groups"].push_back({{"name", group.name},
+                                {"aliases", group.aliases},
+                                {"behaviour", group.behaviour},
+                                {"reference", group.reference}});
     std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
   }
   return done;
@@ -170,6 +181,7 @@ void print_known(const Entry& entry, const std::string& family, const Shown& mac
   if (!from_file) {
     line("behaviour", description.behaviour);
     line("reference", description.reference);
+    line("elsewhere", description.elsewhere);
   }
   if (const auto& facts = entry.facts) {
     line("memory", facts->memory == Memory{Memory::Kind::rounds, 0}   ? "none"

@@ -172,7 +172,7 @@ int run(int argc, char** argv, Program program, const std::vector<std::string>& 
     add("quiet", "no banner, no progress, no warnings on stderr");
     add("help,h", "this text");
     add("version,V", "version and build");
-    name_values(program);
+    name_values(program.name, program.options);
     const int code =
         run_parsed(program, command_line(program.name, argc, argv), parse(argc, argv, program), formats, body);
     std::cout.flush();

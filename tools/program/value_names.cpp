@@ -53,12 +53,13 @@ std::string value_name(const std::string& program, const std::string& option) {
   return "VALUE";
 }
 
-void name_values(const Program& program) {
-  for (const auto& option : program.options.options()) {
+void name_values(const std::string& program, const boost::program_options::options_description& options) {
+  namespace po = boost::program_options;
+  for (const auto& option : options.options()) {
     // The description hands out const what it was given as an object of ours.
     const auto semantic = boost::const_pointer_cast<po::value_semantic>(option->semantic());
     if (auto* value = dynamic_cast<po::typed_value<std::string>*>(semantic.get()))
-      value->value_name(value_name(program.name, option->long_name()));
+      value->value_name(value_name(program, option->long_name()));
   }
 }
 

@@ -1,8 +1,7 @@
 #pragma once
 // What the help texts call the values of options: --threads N, --output DIR.
 
-#include <folk/tools/program/program.h>
-
+#include <boost/program_options.hpp>
 #include <string>
 
 namespace folk::tools {
@@ -11,6 +10,6 @@ namespace folk::tools {
 std::string value_name(const std::string& program, const std::string& option);
 
 /// Gives each option of a program that takes a value its name.
-void name_values(const Program& program);
+void name_values(const std::string& program, const boost::program_options::options_description& options);
 
 }  // namespace folk::tools

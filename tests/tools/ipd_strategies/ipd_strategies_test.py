@@ -81,6 +81,15 @@ class Show(unittest.TestCase):
         self.assertTrue(shown.startswith("mine\n  described as   tit_for_tat\n"), shown)
         self.assertIn("machine mine\n", shown)
 
+    def test_what_other_projects_mean_by_a_name(self):
+        self.assertIn("  elsewhere      Axelrod-Python's Alternator goes by its own last move", text("show", "per_cd"))
+        self.assertEqual(result("show", "Alternator")["name"], "axelrod_alternator")
+        self.assertEqual(result("diff", "Alternator", "mem1(c;0,0,1,1)", "--any-own-moves")["result"], "equivalent")
+        for name, theirs in {"winner21": "axelrod_winner21", "spiteful_cc": "axelrod_spiteful_cc",
+                             "spiteful": "mathieu_spiteful", "badbet": "mathieu_badbet"}.items():
+            self.assertIn(theirs, result("show", name)["elsewhere"])
+            self.assertIsNone(result("show", theirs)["elsewhere"])
+
     def test_machines_without_end_say_so(self):
         shown = text("show", "GoByMajority")
         self.assertIn("soft_majo\n  also known as  GoByMajority\n", shown)

@@ -244,7 +244,7 @@ class Configuring(Training):
         text = self.run_program("--help").stdout
         for key, default in (("hidden", 128), ("layers", 3), ("batch", 64), ("learning-rate", 0.0001),
                              ("warmup", 10000)):
-            self.assertRegex(text, rf"--{key} arg[^-]*\(default\s+{default}\)")
+            self.assertRegex(text, rf"--{key} [A-Z][^-]*\(default\s+{default}\)")
 
     def test_policies_are_judged_as_the_shipped_ones_were(self):
         told = json.loads(self.trained("--hidden", "8", "--layers", "1", "--steps", "2", "--roster", "tit_for_tat,all_d",
@@ -474,7 +474,7 @@ class Log(Training):
         self.file("run.conf", "steps = 5\n")
         self.refused(2, "--log", "policy.bin", says=("--log policy.bin", "--output"))
         self.refused(2, "--config", "run.conf", "--log", "./run.conf", says="--config")
-        self.refused(4, "--log", "missing/log.csv", says="--log missing/log.csv: there is no such folder")
+        self.refused(4, "--log", "missing/log.csv", says="--log missing/log.csv: cannot be written: there is no such folder")
         self.refused(4, "--log", ".", says="it is a directory")
         self.trained(*SMALL, "--steps", "5", "--log", "/dev/null")
 
