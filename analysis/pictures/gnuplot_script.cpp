@@ -14,11 +14,14 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t longest_name = 32;
 
-/// The printable characters of a text; a control character becomes a blank, a stray byte a question mark.
+/// True for U+FFFE and U+FFFF, which XML has no place for.
+bool noncharacter(std::string_view character) { return character == "\xEF\xBF\xBE" || character == "\xEF\xBF\xBF"; }
+
+/// The characters of a text that are drawn; a blank stands for another, a question mark for what is no character.
 std::vector<std::string_view> characters(std::string_view text) {
   auto found = utf8_characters(text);
   for (auto& character : found) {
-    if (no_character(character))
+    if (no_character(character) || noncharacter(character))
       character = "?";
     else if (undrawn(character))
       character = " ";

@@ -8,13 +8,6 @@
 namespace folk::mpe {
 namespace {
 
-/// XML has no place for U+FFFE and U+FFFF.
-std::string without_noncharacters(std::string text) {
-  for (const std::string_view bad : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"})
-    for (auto at = text.find(bad); at != std::string::npos; at = text.find(bad)) text.replace(at, bad.size(), "?");
-  return text;
-}
-
 std::string opacity(std::string_view attribute, double value) {
   return value < 1 ? fmt::format(" {}=\"{:.2g}\"", attribute, value) : std::string();
 }
@@ -62,7 +55,7 @@ std::string svg_path_data(const std::vector<Point>& corners) {
 
 std::string xml_text(std::string_view text) {
   std::string out;
-  for (const char c : without_noncharacters(printable(text, std::numeric_limits<std::size_t>::max()))) {
+  for (const char c : printable(text, std::numeric_limits<std::size_t>::max())) {
     switch (c) {
       case '&': out += "&amp;"; break;
       case '<': out += "&lt;"; break;

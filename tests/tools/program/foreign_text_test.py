@@ -16,7 +16,7 @@ from pathlib import Path
 BIN = Path(os.environ["FOLK_BIN"])
 TITLE = "first\nsecond\x1b[31m \u009b31m \u202etfel ]]> \u2028 end" + "." * 300
 NAMES = ["A\x1b[31m", "B\nb, \"B\""]
-ACTIONS = ["x\x1b[2J", "y\u0085]]>"]
+ACTIONS = ["x\x1b[2J\uffff", "y\u0085]]>"]
 # A player of C for ever, whose command holds what is no UTF-8 and what a terminal would act on.
 COMMAND = b"exec:\"while read line; do [ $line = move ] && echo C; done # caf\xe9 \xc2\x9b31m\""
 
