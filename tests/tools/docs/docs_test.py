@@ -37,13 +37,14 @@ def run(command, folder):
 
 def pattern(shown):
     """A regular expression for the output that is shown. The last bits of what was rounded depend on the processor's vector
-    instructions, and with them a signature."""
+    instructions, and with them a signature and the way of a search."""
     lines = []
     for line in shown.rstrip("\n").split("\n"):
         if line.strip() == "...":
             lines.append(r"(?:.*\n)*?")
         else:
-            lines.append(re.sub(r"(?<=signature )[0-9a-f]{16}", "[0-9a-f]{16}", re.escape(line)).replace(r"\ ", " ") + "[ ]*\n")
+            text = re.sub(r"(?<=signature )[0-9a-f]{16}", "[0-9a-f]{16}", re.escape(line).replace(r"\ ", " "))
+            lines.append(re.sub(r"^(  searched +)\d+", r"\1\\d+", text) + "[ ]*\n")
     return re.compile("".join(lines) + r"\n*\Z")
 
 
