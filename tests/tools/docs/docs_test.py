@@ -92,7 +92,7 @@ class Docs(unittest.TestCase):
         for page in PAGES:
             for info, block in BLOCK.findall(page.read_text()):
                 for command, _ in commands(block) if info == LONG else ():
-                    self.assertRegex(command, r"^(scripts/|mpe-train |sct-train |mpe-evaluate --predators sct\.|cat |ls |rm |sce-check sct|ipd-tournament .*sct:small)")
+                    self.assertRegex(command, r"^(scripts/|mpe-train |sct-train |mpe-evaluate --predators sct\.|cat |ls |rm |sce-check (sct|@report/)|ipd-tournament .*(sct:small|@report/))")
 
 
 for one in PAGES:

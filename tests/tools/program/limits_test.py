@@ -112,7 +112,7 @@ class Limits(unittest.TestCase):
             self.assertEqual(self.tried(program), 0)
 
     def test_memory(self):
-        megabytes = (16, 20, 22, 24, 26, 28, 32, 40, 60, 120, 400, 2000)
+        megabytes = (16, 20, 24, 28, 32, 60, 200, 2000)
         ends = self.under(resource.RLIMIT_AS, [n * MB for n in megabytes])
         self.assertIn(4, ends.values())
         self.assertEqual({ends[program, 2000 * MB] for program in RUNS}, {0})
@@ -126,7 +126,7 @@ class Limits(unittest.TestCase):
         self.assertIn(0, ends.values())
 
     def test_open_files(self):
-        ends = self.under(resource.RLIMIT_NOFILE, (3, 4, 5, 6, 7, 8, 10, 12, 15))
+        ends = self.under(resource.RLIMIT_NOFILE, (3, 4, 5, 6, 8, 11, 15))
         self.assertIn(4, ends.values())
 
     def test_stack(self):
