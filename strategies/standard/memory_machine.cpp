@@ -77,27 +77,4 @@ State MemoryMachine::next(State state, Move own, Move theirs) const {
   return (played << (2 * field)) | (own_history << field) | their_history;
 }
 
-std::optional<std::uint64_t> memory_family_size(unsigned own_memory, unsigned their_memory) {
-  if (own_memory + their_memory > 6) return std::nullopt;
-  const unsigned moves = std::max(own_memory, their_memory) + (1U << (own_memory + their_memory));
-  if (moves > 63) return std::nullopt;
-  return std::uint64_t{1} << moves;
-}
-
-MemoryMachine memory_family_member(unsigned own_memory, unsigned their_memory, std::uint64_t index) {
-  const unsigned openings = std::max(own_memory, their_memory);
-  const unsigned moves = openings + (1U << (own_memory + their_memory));
-  std::vector<bool> first(openings);
-  std::vector<bool> table(moves - openings);
-  for (unsigned i = 0; i < moves; ++i) {
-    const bool defects = ((index >> (moves - 1 - i)) & 1U) != 0;
-    if (i < openings) {
-      first[i] = defects;
-    } else {
-      table[i - openings] = defects;
-    }
-  }
-  return MemoryMachine(own_memory, their_memory, std::move(first), std::move(table));
-}
-
 }  // namespace folk

@@ -40,10 +40,4 @@ private:
   std::vector<bool> table_;
 };
 
-/// How many genotypes memory(X,Y) has: 2^(max(X,Y) + 2^(X+Y)), or nothing when that is above 2^63.
-std::optional<std::uint64_t> memory_family_size(unsigned own_memory, unsigned their_memory);
-
-/// Genotype number `index` of the family, openings first, all C = 0.
-MemoryMachine memory_family_member(unsigned own_memory, unsigned their_memory, std::uint64_t index);
-
 }  // namespace folk

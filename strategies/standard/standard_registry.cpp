@@ -13,6 +13,7 @@
 #include <folk/strategies/standard/gradual_machine.h>
 #include <folk/strategies/standard/majority_machine.h>
 #include <folk/strategies/standard/mem2_machine.h>
+#include <folk/strategies/standard/memory_class.h>
 #include <folk/strategies/standard/memory_machine.h>
 #include <folk/strategies/standard/periodic_machine.h>
 
@@ -25,9 +26,6 @@ namespace {
 
 constexpr const char* mathieu_delahaye = "Mathieu & Delahaye, JASSS 20(4) 12, 2017";
 constexpr const char* sct_program = "the program published with arXiv 2310.04579";
-
-/// A family with more members than this is refused: its tournament needs the analysis of complete classes.
-constexpr std::uint64_t largest_family = 20'000;
 
 template <class M>
 Strategy strategy(std::string name, M machine) {
@@ -335,19 +333,15 @@ void add_families(Registry& registry) {
   registry.add_family(
       {"memory(X,Y)", {}, "all genotypes of own last X and their last Y moves", mathieu_delahaye},
       [](std::string_view text, const Payoffs&) {
-        const auto arguments = arguments_of(text);
-        expect_count(arguments, 2, 2, "memory(X,Y)");
-        const unsigned own = small_whole(arguments[0], "memory(X,Y) X", 0, 9);
-        const unsigned theirs = small_whole(arguments[1], "memory(X,Y) Y", 0, 9);
-        if (own + theirs == 0) throw UsageError("memory(0,0): X + Y must be at least 1");
-        const auto size = memory_family_size(own, theirs);
-        if (!size || *size > largest_family)
-          throw UsageError(fmt::format("memory({},{}) has {} genotypes: rosters of up to {} are played all against all",
-                                       own, theirs, size ? fmt::format("{}", *size) : "over 10^18", largest_family));
+        const MemoryClass members = MemoryClass::of_arguments(text);
+        if (members.size() > Integer(MemoryClass::most_listed))
+          throw UsageError(fmt::format(
+              "{} has {} members, more than the {} that can be listed: it is ranked as a whole "
+              "by ipd-tournament --strategies '{}' alone, or scores entrants by --class '{}'",
+              members.name(), members.size_text(), MemoryClass::most_listed, members.name(), members.name()));
         std::vector<Strategy> family;
-        family.reserve(*size);
-        for (std::uint64_t i = 0; i < *size; ++i) {
-          auto machine = memory_family_member(own, theirs, i);
+        for (std::uint64_t i = 0; i < std::uint64_t{1} << members.genes(); ++i) {
+          auto machine = members.member(i);
           std::string name = machine.name();
           family.push_back(strategy(std::move(name), std::move(machine)));
         }

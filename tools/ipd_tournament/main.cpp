@@ -4,6 +4,7 @@
 #include <folk/tools/choices/game_option.h>
 #include <folk/tools/choices/play_options.h>
 #include <folk/tools/choices/standard_names.h>
+#include <folk/tools/ipd_tournament/classes.h>
 #include <folk/tools/ipd_tournament/invasion_output.h>
 #include <folk/tools/ipd_tournament/output.h>
 #include <folk/tools/program/output_folder.h>
@@ -32,16 +33,22 @@ Program program() {
       "Plays every strategy of a roster against every other and itself, exactly wherever that can be done,\n"
       "and prints the ranking. SPEC is a comma list of names, rosters (classics, sct2025, all), families\n"
       "(memory(1,2)), genotypes (mem12_ccCDCDDCDD), @FILE (@- is the standard input) and exec:\"CMD\"; LABEL=NAME\n"
-      "renames one of them. 'ipd-strategies list' shows all.";
-  program.examples = {"ipd-tournament", "ipd-tournament --strategies pavlov,tit_for_tat,all_d --rounds 1000",
+      "renames one of them. 'ipd-strategies list' shows all. A complete class alone is ranked as a whole, up to\n"
+      "memory(2,2); --class scores entrants against all members of one, up to memory(4,4), without listing them.";
+  program.examples = {"ipd-tournament",
+                      "ipd-tournament --strategies pavlov,tit_for_tat,all_d --rounds 1000",
                       "ipd-tournament --include @examples/my_strategies.machines --noise 0.01 --output results --plot",
                       "ipd-tournament --strategies 'memory(1,2)' --rounds 1000 --format csv",
+                      "ipd-tournament --strategies 'memory(2,2)' --rounds 1000 --output results",
+                      "ipd-tournament --class 'memory(3,3)' --entrants classics,winner12 --rounds 1000",
                       "ipd-tournament --criterion discounted:0.9 --payoffs T=4,R=3,P=1,S=0 --format json"};
   auto add = program.options.add_options();
   const auto text = [] { return po::value<std::string>(); };
   add("strategies", text()->default_value("classics"), "the roster: SPEC");
   add("include", text(), "SPEC of entrants beside the roster; payoffs are normalised by the roster alone");
   add("exclude", text(), "SPEC of strategies to leave out");
+  add("class", text(), "memory(X,Y): score --entrants against all its members instead of playing a round robin");
+  add("entrants", text(), "SPEC of those that meet the class (default classics)");
   add_criterion_options(program.options);
   add("noise", text()->default_value("0"), "each move flips with this probability, from 0 to 1");
   add_game_options(program.options);
@@ -106,6 +113,10 @@ std::optional<std::string> picture_extension(const po::variables_map& values, st
 }
 
 int tournament(const po::variables_map& values, const Common& common) {
+  if (values.count("class") != 0) return score_entrants(values, common);
+  if (values.count("entrants") != 0)
+    throw UsageError("--entrants needs the class that they meet: --class 'memory(X,Y)'");
+  if (const auto members = whole_class(values)) return rank_class(*members, values, common);
   const ChosenGame game = chosen_game(values);
   TournamentSettings settings;
   settings.payoffs = game.payoffs;

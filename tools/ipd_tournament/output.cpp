@@ -2,6 +2,7 @@
 
 #include <folk/tools/choices/game_option.h>
 #include <folk/tools/ipd_tournament/invasion_output.h>
+#include <folk/tools/ipd_tournament/number_text.h>
 #include <folk/tools/program/csv.h>
 #include <folk/tools/program/table.h>
 
@@ -16,7 +17,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <system_error>
 #include <vector>
 
@@ -25,24 +25,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whole numbers without an exponent, others as the shortest decimal that reads back.
-std::string exact(long double value) {
-  if (value == std::floor(value) && std::abs(value) < 0x1p63L) return fmt::format("{}", static_cast<long long>(value));
-  return fmt::format("{}", static_cast<double>(value));
-}
-
-std::string json_string(const std::string& text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
 bool sampled(const Tournament& tournament) {
   return std::any_of(tournament.ranking().begin(), tournament.ranking().end(),
                      [](const auto& entry) { return entry.method == Method::sampled; });
-}
-
-/// A total for the eye.
-std::string total_text(long double total) {
-  return total == std::floor(total) ? exact(total) : fmt::format("{:.4f}", static_cast<double>(total));
 }
 
 /// A JSON object: how many pairs (self-play among them) were obtained in which way.
@@ -57,12 +42,6 @@ std::string methods_of(const Tournament& tournament) {
     if (const std::size_t count = pairs[static_cast<std::size_t>(method)]; count > 0)
       items.push_back(fmt::format("\"{}\": {}", to_string(method), count));
   return fmt::format("{{{}}}", fmt::join(items, ", "));
-}
-
-std::string payoffs_of(const Payoffs& payoffs) {
-  const auto number = [](const Rational& payoff) { return fmt::format("{}", to_double(payoff)); };
-  return fmt::format("{{\"T\": {}, \"R\": {}, \"P\": {}, \"S\": {}}}", number(payoffs.temptation),
-                     number(payoffs.reward), number(payoffs.punishment), number(payoffs.sucker));
 }
 
 /// Half the width of the 95 % interval (Student's t) of a total that was sampled; one repetition tells nothing of it.
@@ -261,7 +240,7 @@ void write_json(std::ostream& out, const Tournament& tournament, const Tournamen
   if (!with_matrices)
     out << fmt::format("  \"folk_version\": \"{}\",\n  \"command\": {},\n", FOLK_VERSION, json_string(labels.command));
   out << fmt::format("  \"game\": {},\n  \"payoffs\": {},\n  \"criterion\": \"{}\",\n  \"rounds\": {},\n",
-                     json_string(labels.game), payoffs_of(settings.payoffs), settings.criterion.to_string(),
+                     json_string(labels.game), payoffs_json(settings.payoffs), settings.criterion.to_string(),
                      settings.criterion.is_finite() ? fmt::format("{}", settings.criterion.rounds()) : "null");
   out << fmt::format("  \"noise\": {},\n  \"self_play\": {},\n  \"repetitions\": {},\n  \"seed\": {},\n",
                      settings.noise.probability(), settings.self_play, settings.repetitions.count(), settings.seed);

@@ -25,7 +25,7 @@ constexpr std::array all_values{
            "return-jitter tolerance action-penalty conservatism imitation target-noise target-noise-clip discount "
            "epsilon-belief epsilon-payoff exploration final-exploration averaging dropout early "},
     Values{"P", " noise end-probability validation-noise aggregate-slip "},
-    Values{"SPEC", " strategies include exclude opponents class roster held-out "},
+    Values{"SPEC", " strategies include exclude opponents entrants class roster held-out "},
     Values{"FILE", " game config log output curve record render replay medium prey-output picture "},
     Values{"DIR",
            " data checkpoint ipd-tournament_output sce-check_output mpe-evaluate_output mpe-train_collect_output "

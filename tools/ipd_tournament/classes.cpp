@@ -1,0 +1,122 @@
+#include <folk/tools/choices/criterion_option.h>
+#include <folk/tools/choices/game_option.h>
+#include <folk/tools/choices/play_options.h>
+#include <folk/tools/choices/standard_names.h>
+#include <folk/tools/ipd_tournament/class_output.h>
+#include <folk/tools/ipd_tournament/classes.h>
+#include <folk/tools/program/output_folder.h>
+#include <folk/tools/program/progress.h>
+#include <folk/tools/program/threads_option.h>
+
+#include <fmt/format.h>
+#include <folk/games/error.h>
+#include <folk/strategies/names.h>
+#include <folk/strategies/registry.h>
+
+#include <algorithm>
+#include <functional>
+#include <initializer_list>
+#include <iostream>
+#include <optional>
+#include <utility>
+
+namespace folk::tools {
+namespace {
+
+/// Refuses options that say nothing of such a run.
+void refuse(const po::variables_map& values, std::initializer_list<const char*> names, const std::string& run) {
+  for (const char* name : names)
+    if (values.count(name) != 0) throw UsageError(fmt::format("--{} does not go with {}", name, run));
+  if (parse_number(text_option(values, "noise"), "--noise", 0, 1) > 0)
+    throw UsageError(fmt::format("--noise does not go with {}: members are told apart by exact play", run));
+}
+
+}  // namespace
+
+std::optional<MemoryClass> whole_class(const po::variables_map& values) {
+  const auto items = split_list(text_option(values, "strategies"));
+  if (items.size() != 1) return std::nullopt;
+  const auto members = MemoryClass::parse(items[0]);
+  return members && members->size() > Integer(MemoryClass::most_listed) ? members : std::nullopt;
+}
+
+int rank_class(const MemoryClass& members, const po::variables_map& values, const Common& common) {
+  refuse(values, {"include", "exclude", "invasion", "repetitions", "plot"},
+         fmt::format("the ranking of all of {}", members.name()));
+  const ChosenGame game = chosen_game(values);
+  ClassSettings settings;
+  settings.payoffs = game.payoffs;
+  settings.criterion = chosen_criterion(values);
+  settings.self_play = values.count("no-self-play") == 0;
+  settings.threads = threads_option(values, common);
+  const auto folder = output_folder(values);
+  note_unusual_payoffs(game, common);
+  std::optional<ProgressBar> bar(std::in_place, fmt::format("ranking {} strategies", members.size_text()),
+                                 !common.quiet);
+  const ClassTournament tournament = play_class(members, settings, std::ref(*bar));
+  bar.reset();
+  const ClassLabels labels{game.title, common.command};
+  if (folder) write_class_files(*folder, tournament, labels);
+  switch (common.format) {
+    case Format::text: write_class_text(std::cout, tournament, labels); break;
+    case Format::csv: write_class_csv(std::cout, tournament); break;
+    case Format::json: write_class_json(std::cout, tournament, labels, false); break;
+  }
+  return done;
+}
+
+int score_entrants(const po::variables_map& values, const Common& common) {
+  refuse(values, {"include", "exclude", "invasion", "repetitions", "plot", "no-self-play"}, "--class");
+  if (!values["strategies"].defaulted())
+    throw UsageError("--strategies does not go with --class: who plays against the class is --entrants SPEC");
+  const std::string name = text_option(values, "class");
+  const auto members = MemoryClass::parse(name);
+  if (!members) throw UsageError(fmt::format("--class '{}': expected memory(X,Y)", excerpt(name)));
+  const ChosenGame game = chosen_game(values);
+  ClassScores scores{*members, {}};
+  scores.settings.payoffs = game.payoffs;
+  scores.settings.criterion = chosen_criterion(values);
+  scores.settings.threads = threads_option(values, common);
+  const Registry registry = standard_names(chosen_play_options(values));
+  const auto entrants = registry.roster(text_option(values, "entrants", "classics"), game.payoffs);
+  for (const Strategy& entrant : entrants)
+    if (!entrant.machine || !entrant.machine->deterministic())
+      throw UsageError(fmt::format("{} is {}: a class is gone through with strategies that are machines without chance",
+                                   excerpt(entrant.name), entrant.machine ? "random" : "no machine"));
+  for (const Strategy& entrant : entrants)
+    if (!entrant.machine->finite() && !scores.settings.criterion.is_finite())
+      throw UsageError(fmt::format("{} has infinitely many states: against a class it needs an end, --rounds N",
+                                   excerpt(entrant.name)));
+  const auto folder = output_folder(values);
+  note_unusual_payoffs(game, common);
+  std::optional<ProgressBar> bar(
+      std::in_place, fmt::format("{} strategies against {}", entrants.size(), members->name()), !common.quiet);
+  const Progress progress(std::ref(*bar));
+  const auto all = static_cast<double>(entrants.size());
+  for (std::size_t i = 0; i < entrants.size(); ++i) {
+    const Progress part = progress.part(static_cast<double>(i) / all, static_cast<double>(i + 1) / all);
+    try {
+      scores.entrants.push_back(
+          {entrants[i].name, score_against(*members, *entrants[i].machine, scores.settings, part)});
+    } catch (const TooManyKinds& error) {
+      scores.left_out.emplace_back(entrants[i].name, error.what());
+    } catch (const UsageError& error) {
+      throw UsageError(fmt::format("{}: {}", excerpt(entrants[i].name), error.what()));
+    }
+  }
+  bar.reset();
+  if (scores.entrants.empty())
+    throw TooManyKinds(fmt::format("{}: {}", excerpt(scores.left_out[0].first), scores.left_out[0].second));
+  std::stable_sort(scores.entrants.begin(), scores.entrants.end(),
+                   [](const auto& a, const auto& b) { return a.score.mean > b.score.mean; });
+  const ClassLabels labels{game.title, common.command};
+  if (folder) write_scores_files(*folder, scores, labels);
+  switch (common.format) {
+    case Format::text: write_scores_text(std::cout, scores, labels); break;
+    case Format::csv: write_scores_csv(std::cout, scores); break;
+    case Format::json: write_scores_json(std::cout, scores, labels); break;
+  }
+  return done;
+}
+
+}  // namespace folk::tools

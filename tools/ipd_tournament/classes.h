@@ -1,0 +1,21 @@
+#pragma once
+// Runs of ipd-tournament that play against a complete class without listing it.
+
+#include <folk/tools/program/program.h>
+
+#include <folk/strategies/standard/memory_class.h>
+
+#include <optional>
+
+namespace folk::tools {
+
+/// The class that is ranked as a whole: --strategies names it, alone, and it is too large to be listed.
+std::optional<MemoryClass> whole_class(const po::variables_map& values);
+
+/// Ranks all members of a class. Throws UsageError where options ask for what only a listed roster has.
+int rank_class(const MemoryClass& members, const po::variables_map& values, const Common& common);
+
+/// Scores --entrants against --class.
+int score_entrants(const po::variables_map& values, const Common& common);
+
+}  // namespace folk::tools

@@ -1,0 +1,22 @@
+#pragma once
+// How this program writes its numbers.
+
+#include <folk/games/payoffs.h>
+
+#include <string>
+
+namespace folk::tools {
+
+/// Whole numbers without an exponent, others as the shortest decimal that reads back.
+std::string exact(long double value);
+
+/// A total for the eye.
+std::string total_text(long double total);
+
+/// A JSON string.
+std::string json_string(const std::string& text);
+
+/// A JSON object: T, R, P, S.
+std::string payoffs_json(const Payoffs& payoffs);
+
+}  // namespace folk::tools
