@@ -16,6 +16,7 @@
 
 #include <folk/tools/choices/chosen_machine.h>
 #include <folk/tools/choices/standard_names.h>
+#include <folk/tools/ipd_strategies/champion.h>
 #include <folk/tools/ipd_strategies/difference.h>
 #include <folk/tools/ipd_strategies/entry.h>
 #include <folk/tools/ipd_strategies/reply.h>
@@ -253,24 +254,28 @@ int diff(const std::string& a, const std::string& b, Sense sense, std::size_t mo
 Program ipd_strategies() {
   Program program;
   program.name = "ipd-strategies";
-  program.usage = "list | show NAME | diff A B | reply OPPONENTS [options]";
+  program.usage = "list | show NAME | diff A B | reply OPPONENTS | champion [options]";
   program.summary =
       "list: every strategy, roster and family, with what can be computed of it. show: all that is known of one,\n"
       "with its machine. diff: proves that two strategies answer alike, or prints the shortest play of the opponent\n"
       "that separates them. reply: the best reply to a machine, or with --memory-one the best memory-one reply that "
       "is\n"
-      "found to several. NAME is a strategy, @FILE or @FILE#MACHINE (@- is the standard input); LABEL=NAME renames it.";
+      "found to several. champion: the member of a complete class that earns most against all of them, proved up to\n"
+      "memory(2,2), else as a search finds it. NAME is a strategy, @FILE or @FILE#MACHINE (@- is the standard input); "
+      "LABEL=NAME renames it.";
   program.examples = {"ipd-strategies list",
                       "ipd-strategies show pavlov",
                       "ipd-strategies diff spiteful mem11_cCDDD",
                       "ipd-strategies diff spiteful mem11_cCDDD --any-own-moves",
                       "ipd-strategies reply pavlov --criterion discounted:0.9",
-                      "ipd-strategies reply 'tit_for_tat,pavlov,all_d' --memory-one --criterion mean"};
+                      "ipd-strategies reply 'tit_for_tat,pavlov,all_d' --memory-one --criterion mean",
+                      "ipd-strategies champion --class 'memory(2,2)' --rounds 1000"};
   auto add = program.options.add_options();
   add("any-own-moves", "diff: own moves may differ from the machine's own, as noise and deviations make them");
   add("most-pairs", po::value<std::string>(), "diff: joint states after which to stop (default 1000000)");
   add("payoffs", po::value<std::string>(), "T=5,R=3,P=1,S=0 (default): some strategies depend on them");
   add_reply_options(program.options);
+  add_champion_options(program.options);
   program.arguments.add_options()("command", po::value<std::vector<std::string>>());
   program.positional.add("command", -1);
   return program;
@@ -279,7 +284,7 @@ Program ipd_strategies() {
 int answer(const po::variables_map& values, const Common& common) {
   std::vector<std::string> words;
   if (values.count("command") != 0) words = values["command"].as<std::vector<std::string>>();
-  if (words.empty()) throw UsageError("nothing asked: list, show NAME, diff A B or reply OPPONENTS");
+  if (words.empty()) throw UsageError("nothing asked: list, show NAME, diff A B, reply OPPONENTS or champion");
   const std::string payoffs_text = text_option(values, "payoffs");
   const Payoffs payoffs = payoffs_text.empty() ? Payoffs{} : parse_payoffs(payoffs_text);
   const Sense sense = values.count("any-own-moves") != 0 ? Sense::any_own_moves : Sense::own_moves_its_own;
@@ -289,11 +294,13 @@ int answer(const po::variables_map& values, const Common& common) {
   if (command == "show" && words.size() == 2) return show(words[1], payoffs, common);
   if (command == "diff" && words.size() == 3) return diff(words[1], words[2], sense, most_pairs, payoffs, common);
   if (command == "reply" && words.size() == 2) return reply(words[1], payoffs, values, common);
+  if (command == "champion" && words.size() == 1) return champion(payoffs, values, common);
+  if (command == "champion") throw UsageError("champion takes no names: ipd-strategies champion --class 'memory(2,2)'");
   if (command == "list") throw UsageError("list takes no names: ipd-strategies list, or ipd-strategies show NAME");
   if (command == "show") throw UsageError("show takes one name: ipd-strategies show pavlov");
   if (command == "diff") throw UsageError("diff takes two names: ipd-strategies diff spiteful mem11_cCDDD");
   if (command == "reply") throw UsageError("reply takes one SPEC of opponents: ipd-strategies reply pavlov");
-  throw UsageError(fmt::format("'{}': expected list, show NAME, diff A B or reply OPPONENTS", command));
+  throw UsageError(fmt::format("'{}': expected list, show NAME, diff A B, reply OPPONENTS or champion", command));
 }
 
 }  // namespace

@@ -41,6 +41,37 @@ std::string origin_json(const ClassLabels& labels) {
   return fmt::format("  \"folk_version\": \"{}\",\n  \"command\": {},\n", FOLK_VERSION, json_string(labels.command));
 }
 
+/// A row of a ranking.
+struct Row {
+  std::size_t rank = 0;
+  std::uint32_t member = 0;
+  std::uint32_t genotypes = 1;  ///< that it stands for
+};
+
+/// Calls with each row; `row` returns false when it has seen enough. Ranks count rows.
+template <class Each>
+void for_rows(const ClassTournament& tournament, const ClassLabels& labels, Each row) {
+  std::size_t count = 0;
+  std::size_t rank = 0;
+  std::uint32_t rank_of_members = 0;
+  for (const auto& place : tournament.ranking()) {
+    std::uint32_t genotypes = 1;
+    if (labels.behaviours) {
+      const std::uint32_t behaviour = labels.behaviours->of_member[place.member];
+      if (labels.behaviours->first[behaviour] != place.member) continue;
+      genotypes = labels.behaviours->members[behaviour];
+    }
+    ++count;
+    if (place.rank != rank_of_members) rank = count;
+    rank_of_members = place.rank;
+    if (!row(Row{rank, place.member, genotypes})) return;
+  }
+}
+
+std::size_t rows_of(const ClassTournament& tournament, const ClassLabels& labels) {
+  return labels.behaviours ? labels.behaviours->size() : tournament.size();
+}
+
 /// A member's share in all, as a number.
 double share(const Integer& count, const MemoryClass& members) { return nearest_quotient(count, members.size()); }
 
@@ -48,37 +79,51 @@ double share(const Integer& count, const MemoryClass& members) { return nearest_
 
 void write_class_text(std::ostream& out, const ClassTournament& tournament, const ClassLabels& labels) {
   const auto& settings = tournament.settings();
-  out << fmt::format("Round robin of all {} members of {}\n", tournament.size(), tournament.members().name());
-  out << visible_line(game_line(settings.payoffs, settings.criterion, labels) +
+  out << fmt::format("Round robin of all {} members of {}", tournament.size(), tournament.members().name());
+  if (labels.behaviours) out << fmt::format(", {} behaviours", labels.behaviours->size());
+  out << '\n'
+      << visible_line(game_line(settings.payoffs, settings.criterion, labels) +
                       (settings.self_play ? ", self-play included" : ", self-play left out"))
       << '\n';
-  Table table({"rank", "member", "total", "mean", "wins", "draws", "coop %"});
-  const std::size_t shown = std::min(most_shown_members, tournament.size());
-  for (std::size_t i = 0; i < shown; ++i) {
-    const auto [rank, member] = tournament.ranking()[i];
-    const auto& totals = tournament.totals(member);
-    table.add({fmt::format("{}", rank), tournament.name(member), total_text(tournament.total(member)),
-               fmt::format("{:.4f}", tournament.mean(member)), fmt::format("{}", totals.wins),
-               fmt::format("{}", totals.draws), fmt::format("{:.2f}", 100 * tournament.cooperation_rate(member))});
-  }
+  std::vector<std::string> header{"rank", "member", "total", "mean", "wins", "draws", "coop %"};
+  if (labels.behaviours) header.emplace_back("genotypes");
+  Table table(header);
+  std::size_t shown = 0;
+  for_rows(tournament, labels, [&](const Row& row) {
+    const auto& totals = tournament.totals(row.member);
+    std::vector<std::string> cells{fmt::format("{}", row.rank),
+                                   tournament.name(row.member),
+                                   total_text(tournament.total(row.member)),
+                                   fmt::format("{:.4f}", tournament.mean(row.member)),
+                                   fmt::format("{}", totals.wins),
+                                   fmt::format("{}", totals.draws),
+                                   fmt::format("{:.2f}", 100 * tournament.cooperation_rate(row.member))};
+    if (labels.behaviours) cells.push_back(fmt::format("{}", row.genotypes));
+    table.add(std::move(cells));
+    return ++shown < most_shown_members;
+  });
   out << table.text();
-  if (shown < tournament.size())
-    out << fmt::format("... the first {} of {}: --format csv and --output have all\n", shown, tournament.size());
+  if (const std::size_t all = rows_of(tournament, labels); shown < all)
+    out << fmt::format("... the first {} of {}: --format csv and --output have all\n", shown, all);
   out << "\nmean: payoff a round; draws: opponents that scored as much, its own copy among them\n";
+  if (labels.behaviours) out << "genotypes: members that no opponent can tell from this one, itself among them\n";
   if (!tournament.exact()) out << "scores of pairs are rounded to fourteen digits or more\n";
   out << fmt::format("signature {:016x}\n", tournament.signature());
 }
 
-void write_class_csv(std::ostream& out, const ClassTournament& tournament) {
-  out << "rank,strategy,total,mean,wins,draws,cooperation_rate\n";
+void write_class_csv(std::ostream& out, const ClassTournament& tournament, const ClassLabels& labels) {
+  out << "rank,strategy,total,mean,wins,draws,cooperation_rate" << (labels.behaviours ? ",genotypes\n" : "\n");
   fmt::memory_buffer rows;
-  for (const auto& [rank, member] : tournament.ranking()) {
-    const auto& totals = tournament.totals(member);
-    fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{}\n", rank, tournament.name(member),
-                   exact(tournament.total(member)), tournament.mean(member), totals.wins, totals.draws,
-                   tournament.cooperation_rate(member));
+  for_rows(tournament, labels, [&](const Row& row) {
+    const auto& totals = tournament.totals(row.member);
+    fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{}", row.rank, tournament.name(row.member),
+                   exact(tournament.total(row.member)), tournament.mean(row.member), totals.wins, totals.draws,
+                   tournament.cooperation_rate(row.member));
+    if (labels.behaviours) fmt::format_to(std::back_inserter(rows), ",{}", row.genotypes);
+    rows.push_back('\n');
     hand_over(out, rows, piece);
-  }
+    return true;
+  });
   hand_over(out, rows, 0);
 }
 
@@ -86,23 +131,26 @@ void write_class_json(std::ostream& out, const ClassTournament& tournament, cons
   const auto& settings = tournament.settings();
   out << "{\n" << (kept ? origin_json(labels) : "");
   out << game_json(settings.payoffs, settings.criterion, tournament.members(), labels);
-  out << fmt::format("  \"self_play\": {},\n  \"exact\": {},\n  \"signature\": \"{:016x}\"", settings.self_play,
-                     tournament.exact(), tournament.signature());
+  out << fmt::format("  \"self_play\": {},\n  \"exact\": {},\n  \"behaviours\": {},\n  \"signature\": \"{:016x}\"",
+                     settings.self_play, tournament.exact(),
+                     labels.behaviours ? fmt::format("{}", labels.behaviours->size()) : "null", tournament.signature());
   if (!kept) {
     out << ",\n  \"ranking\": [";
     fmt::memory_buffer rows;
     const char* separator = "\n";
-    for (const auto& [rank, member] : tournament.ranking()) {
-      const auto& totals = tournament.totals(member);
+    for_rows(tournament, labels, [&](const Row& row) {
+      const auto& totals = tournament.totals(row.member);
       fmt::format_to(
           std::back_inserter(rows),
           "{}    {{\"rank\": {}, \"name\": \"{}\", \"total\": {}, \"mean\": {}, \"wins\": {}, \"draws\": {}, "
-          "\"cooperation_rate\": {}}}",
-          separator, rank, tournament.name(member), exact(tournament.total(member)), tournament.mean(member),
-          totals.wins, totals.draws, tournament.cooperation_rate(member));
+          "\"cooperation_rate\": {}, \"genotypes\": {}}}",
+          separator, row.rank, tournament.name(row.member), exact(tournament.total(row.member)),
+          tournament.mean(row.member), totals.wins, totals.draws, tournament.cooperation_rate(row.member),
+          row.genotypes);
       separator = ",\n";
       hand_over(out, rows, piece);
-    }
+      return true;
+    });
     hand_over(out, rows, 0);
     out << "\n  ]";
   }
@@ -111,7 +159,7 @@ void write_class_json(std::ostream& out, const ClassTournament& tournament, cons
 
 void write_class_files(const std::filesystem::path& folder, const ClassTournament& tournament,
                        const ClassLabels& labels) {
-  write_file(folder / "ranking.csv", [&](std::ostream& out) { write_class_csv(out, tournament); });
+  write_file(folder / "ranking.csv", [&](std::ostream& out) { write_class_csv(out, tournament, labels); });
   write_file(folder / "summary.json", [&](std::ostream& out) { write_class_json(out, tournament, labels, true); });
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 // Complete classes as text, CSV and JSON: their own ranking, and how entrants do against them.
 
+#include <folk/analysis/classes/behaviours.h>
 #include <folk/analysis/classes/class_score.h>
 #include <folk/analysis/classes/class_tournament.h>
 
 #include <filesystem>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -15,14 +17,15 @@ namespace folk::tools {
 /// The text ranking shows so many members, CSV and JSON all.
 inline constexpr std::size_t most_shown_members = 100;
 
-/// The title of what is played, and the command line.
+/// What the output says beside the results.
 struct ClassLabels {
-  std::string game;
+  std::string game;  ///< its title
   std::string command{};
+  std::optional<Behaviours> behaviours{};  ///< a ranking has a row a behaviour then, its first member standing for it
 };
 
 void write_class_text(std::ostream& out, const ClassTournament& tournament, const ClassLabels& labels);
-void write_class_csv(std::ostream& out, const ClassTournament& tournament);
+void write_class_csv(std::ostream& out, const ClassTournament& tournament, const ClassLabels& labels);
 
 /// One object: settings, class, ranking. `kept` in a file: Folk's version and the command line too, no ranking.
 void write_class_json(std::ostream& out, const ClassTournament& tournament, const ClassLabels& labels, bool kept);

@@ -35,12 +35,19 @@ void refuse(const po::variables_map& values, std::initializer_list<const char*> 
 
 std::optional<MemoryClass> whole_class(const po::variables_map& values) {
   const auto items = split_list(text_option(values, "strategies"));
-  if (items.size() != 1) return std::nullopt;
-  const auto members = MemoryClass::parse(items[0]);
-  return members && members->size() > Integer(MemoryClass::most_listed) ? members : std::nullopt;
+  const auto members = items.size() == 1 ? MemoryClass::parse(items[0]) : std::nullopt;
+  const bool by_behaviour = values.count("by-behaviour") != 0;
+  if (by_behaviour && !members)
+    throw UsageError("--by-behaviour is for a complete class alone: --strategies 'memory(X,Y)'");
+  return members && (by_behaviour || members->size() > Integer(MemoryClass::most_listed)) ? members : std::nullopt;
 }
 
 int rank_class(const MemoryClass& members, const po::variables_map& values, const Common& common) {
+  if (members.entries() > most_ranked_entries)
+    throw UsageError(
+        fmt::format("{} has {} members: a class is ranked as a whole up to X + Y = 4; --class '{}' scores "
+                    "entrants against all of them",
+                    members.name(), members.size_text(), members.name()));
   refuse(values, {"include", "exclude", "invasion", "repetitions", "plot"},
          fmt::format("the ranking of all of {}", members.name()));
   const ChosenGame game = chosen_game(values);
@@ -53,20 +60,23 @@ int rank_class(const MemoryClass& members, const po::variables_map& values, cons
   note_unusual_payoffs(game, common);
   std::optional<ProgressBar> bar(std::in_place, fmt::format("ranking {} strategies", members.size_text()),
                                  !common.quiet);
-  const ClassTournament tournament = play_class(members, settings, std::ref(*bar));
+  const Progress progress(std::ref(*bar));
+  const bool by_behaviour = values.count("by-behaviour") != 0;
+  const ClassTournament tournament = play_class(members, settings, progress.part(0, by_behaviour ? 0.5 : 1));
+  ClassLabels labels{game.title, common.command};
+  if (by_behaviour) labels.behaviours = behaviours_of(members, settings.threads, progress.part(0.5, 1));
   bar.reset();
-  const ClassLabels labels{game.title, common.command};
   if (folder) write_class_files(*folder, tournament, labels);
   switch (common.format) {
     case Format::text: write_class_text(std::cout, tournament, labels); break;
-    case Format::csv: write_class_csv(std::cout, tournament); break;
+    case Format::csv: write_class_csv(std::cout, tournament, labels); break;
     case Format::json: write_class_json(std::cout, tournament, labels, false); break;
   }
   return done;
 }
 
 int score_entrants(const po::variables_map& values, const Common& common) {
-  refuse(values, {"include", "exclude", "invasion", "repetitions", "plot", "no-self-play"}, "--class");
+  refuse(values, {"include", "exclude", "invasion", "repetitions", "plot", "no-self-play", "by-behaviour"}, "--class");
   if (!values["strategies"].defaulted())
     throw UsageError("--strategies does not go with --class: who plays against the class is --entrants SPEC");
   const std::string name = text_option(values, "class");
@@ -76,6 +86,8 @@ int score_entrants(const po::variables_map& values, const Common& common) {
   ClassScores scores{*members, {}};
   scores.settings.payoffs = game.payoffs;
   scores.settings.criterion = chosen_criterion(values);
+  scores.settings.most_leaves =
+      whole_option(values, "most-kinds", scores.settings.most_leaves, 1, std::uint64_t{1} << 62);
   scores.settings.threads = threads_option(values, common);
   const Registry registry = standard_names(chosen_play_options(values));
   const auto entrants = registry.roster(text_option(values, "entrants", "classics"), game.payoffs);

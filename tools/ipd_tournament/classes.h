@@ -9,7 +9,8 @@
 
 namespace folk::tools {
 
-/// The class that is ranked as a whole: --strategies names it, alone, and it is too large to be listed.
+/// The class that is ranked as a whole: --strategies names it, alone, and it is too large to be listed or to be ranked
+/// --by-behaviour. Throws UsageError where that is asked for and no class is named.
 std::optional<MemoryClass> whole_class(const po::variables_map& values);
 
 /// Ranks all members of a class. Throws UsageError where options ask for what only a listed roster has.

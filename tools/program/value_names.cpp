@@ -19,7 +19,7 @@ constexpr std::array all_values{
         " threads seed repetitions rounds horizon most-pairs width data-repetitions aggregate-every "
         "aggregate-repetitions steps hidden layers heads context batch warmup evaluate-every validation-repetitions "
         "validation-seed checkpoint-every depth episodes numpy-seed selection-seed episode transitions first-episode "
-        "memory first-update update-every evaluation-episodes patience "},
+        "memory first-update update-every evaluation-episodes patience evaluations most-kinds "},
     Values{"X",
            " regret-temperature situation-temperature learning-rate final-learning-rate weight-decay clip return-scale "
            "return-jitter tolerance action-penalty conservatism imitation target-noise target-noise-clip discount "
