@@ -82,8 +82,13 @@ public:
   /// Opponents of each entrant: one less without self-play.
   std::size_t opponents() const { return size() - (settings_.self_play ? 0U : 1U); }
 
-  /// How many behaviours there are among the entrants.
+  /// How many behaviours there are among the entrants, and which of them, counted from 0, an entrant has.
   std::size_t behaviours() const { return behaviours_; }
+  std::size_t behaviour(std::size_t i) const { return behaviour_of_[i]; }
+
+  /// score(i, j) times the least common denominator of the payoffs (analysis/play/whole_payoffs.h): a whole number where
+  /// the score is exact.
+  double scaled_score(std::size_t i, std::size_t j) const { return scores_[cell(i, j)]; }
 
   /// Best first; equal totals in roster order.
   const std::vector<RankingEntry>& ranking() const { return ranking_; }

@@ -1,0 +1,192 @@
+#include <folk/analysis/evolution/evolution_journal.h>
+#include <folk/analysis/play/signature.h>
+#include <folk/games/error.h>
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+namespace folk {
+namespace {
+
+constexpr std::string_view evolution_title = "folk evolution journal 1";
+constexpr std::string_view fixation_title = "folk fixation journal 1";
+
+std::uint64_t seal_of(std::string_view text) {
+  Signature signature;
+  signature.add(text);
+  return signature.value();
+}
+
+std::string sealed(std::string text) {
+  text += fmt::format("seal {:016x}\n", seal_of(text));
+  return text;
+}
+
+void put(fmt::memory_buffer& out, std::string_view name, const std::vector<double>& numbers) {
+  fmt::format_to(std::back_inserter(out), "{}", name);
+  for (const double number : numbers) fmt::format_to(std::back_inserter(out), " {}", number);
+  out.push_back('\n');
+}
+
+void put(fmt::memory_buffer& out, std::string_view name, const std::vector<std::uint64_t>& numbers) {
+  fmt::format_to(std::back_inserter(out), "{} {}\n", name, fmt::join(numbers, " "));
+}
+
+/// Reads the words of a sealed text one by one.
+class SealedReader {
+public:
+  SealedReader(std::string_view text, std::string_view title, const std::string& source, std::uint64_t identity)
+      : source_(source) {
+    if (text.substr(0, text.find('\n')) != title)
+      refuse_file(source_, fmt::format("not a journal of this kind of run (\"{}\"): name another file", title));
+    const auto seal = text.rfind("seal ");
+    if (seal == std::string_view::npos || text[seal - 1] != '\n' ||
+        text.substr(seal) != fmt::format("seal {:016x}\n", seal_of(text.substr(0, seal))))
+      refuse_file(source_, "a journal that is damaged or cut off: delete it to begin anew");
+    rest_ = text.substr(title.size(), seal - title.size());
+    word("identity");
+    const auto found = token();
+    if (found != fmt::format("{:016x}", identity))
+      refuse_file(source_,
+                  "the journal of another run (another roster, model, start or seed): name another file or "
+                  "delete it");
+  }
+
+  void word(std::string_view expected) {
+    if (token() != expected) damaged();
+  }
+
+  template <class Number>
+  Number number() {
+    const auto text = token();
+    Number value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) damaged();
+    return value;
+  }
+
+  template <class Number>
+  std::vector<Number> numbers(std::string_view name, std::size_t count) {
+    word(name);
+    std::vector<Number> found;
+    for (std::size_t i = 0; i < count; ++i) found.push_back(number<Number>());
+    return found;
+  }
+
+  Population population(std::string_view name, std::size_t count) {
+    word(name);
+    return population_values(count);
+  }
+
+  Population population_values(std::size_t count) {
+    Population found;
+    for (std::size_t i = 0; i < count; ++i) {
+      found.push_back(number<double>());
+      if (!(found.back() >= 0 && found.back() <= most_individuals)) damaged();
+    }
+    return found;
+  }
+
+  void end() {
+    if (!token().empty()) damaged();
+  }
+
+  [[noreturn]] void damaged() const { refuse_file(source_, "a journal that makes no sense: delete it to begin anew"); }
+
+private:
+  std::string_view token() {
+    const auto begin = rest_.find_first_not_of(" \n");
+    if (begin == std::string_view::npos) return {};
+    const auto end = std::min(rest_.find_first_of(" \n", begin), rest_.size());
+    const auto found = rest_.substr(begin, end - begin);
+    rest_.remove_prefix(end);
+    return found;
+  }
+
+  const std::string& source_;
+  std::string_view rest_;
+};
+
+}  // namespace
+
+std::string journal_text(const EvolutionState& state, std::uint64_t identity) {
+  fmt::memory_buffer out;
+  fmt::format_to(std::back_inserter(out), "{}\nidentity {:016x}\ngeneration {}\nend {} {}\nstride {} rows {}\n",
+                 evolution_title, identity, state.generation, static_cast<unsigned>(state.end), state.period,
+                 state.history.stride(), state.history.rows().size());
+  put(out, "population", state.population);
+  put(out, "extinct", state.extinct_at);
+  fmt::format_to(std::back_inserter(out), "marked {}\n", state.marked_generation);
+  put(out, "mark", state.marked);
+  for (const auto& [generation, population] : state.history.rows())
+    put(out, fmt::format("row {}", generation), population);
+  return sealed(fmt::to_string(out));
+}
+
+EvolutionState read_evolution_journal(std::string_view text, const std::string& source, std::uint64_t identity,
+                                      std::size_t strategies) {
+  SealedReader reader(text, evolution_title, source, identity);
+  EvolutionState state;
+  reader.word("generation");
+  state.generation = reader.number<std::uint64_t>();
+  reader.word("end");
+  const auto end = reader.number<unsigned>();
+  if (end > static_cast<unsigned>(EvolutionEnd::uniform)) reader.damaged();
+  state.end = static_cast<EvolutionEnd>(end);
+  state.period = reader.number<std::uint64_t>();
+  reader.word("stride");
+  const auto stride = reader.number<std::uint64_t>();
+  reader.word("rows");
+  const auto rows = reader.number<std::uint64_t>();
+  if (stride == 0 || rows == 0 || rows > PopulationHistory::most_numbers + 2) reader.damaged();
+  state.population = reader.population("population", strategies);
+  state.extinct_at = reader.numbers<std::uint64_t>("extinct", strategies);
+  reader.word("marked");
+  state.marked_generation = reader.number<std::uint64_t>();
+  state.marked = reader.population("mark", strategies);
+  std::vector<PopulationHistory::Row> history;
+  for (std::uint64_t r = 0; r < rows; ++r) {
+    reader.word("row");
+    const auto generation = reader.number<std::uint64_t>();
+    if (generation != r * stride) reader.damaged();
+    history.push_back({generation, {}});
+    history.back().population = reader.population_values(strategies);
+  }
+  reader.end();
+  state.history = PopulationHistory::restored(stride, std::move(history));
+  return state;
+}
+
+std::string journal_text(const FixationCounts& counts, std::uint64_t identity) {
+  fmt::memory_buffer out;
+  fmt::format_to(std::back_inserter(out), "{}\nidentity {:016x}\nruns {}\nunsettled {}\n", fixation_title, identity,
+                 counts.runs, counts.unsettled);
+  put(out, "taken", counts.taken_over);
+  return sealed(fmt::to_string(out));
+}
+
+FixationCounts read_fixation_journal(std::string_view text, const std::string& source, std::uint64_t identity,
+                                     std::size_t strategies) {
+  SealedReader reader(text, fixation_title, source, identity);
+  FixationCounts counts;
+  reader.word("runs");
+  counts.runs = reader.number<std::uint64_t>();
+  reader.word("unsettled");
+  counts.unsettled = reader.number<std::uint64_t>();
+  counts.taken_over = reader.numbers<std::uint64_t>("taken", strategies);
+  reader.end();
+  std::uint64_t left = counts.runs;
+  for (const std::uint64_t count : counts.taken_over) {
+    if (count > left) reader.damaged();
+    left -= count;
+  }
+  if (left != counts.unsettled) reader.damaged();
+  return counts;
+}
+
+}  // namespace folk
