@@ -153,7 +153,8 @@ EvolutionState read_evolution_journal(std::string_view text, const std::string& 
   for (std::uint64_t r = 0; r < rows; ++r) {
     reader.word("row");
     const auto generation = reader.number<std::uint64_t>();
-    if (generation != r * stride) reader.damaged();
+    if (r == 0 ? generation != 0 : generation <= history.back().generation) reader.damaged();
+    if (generation > state.generation) reader.damaged();
     history.push_back({generation, {}});
     history.back().population = reader.population_values(strategies);
   }

@@ -73,7 +73,7 @@ ScoreMatrix::ScoreMatrix(const Tournament& tournament)
 }
 
 ScoreMatrix::ScoreMatrix(std::vector<std::string> names, const std::vector<std::vector<Rational>>& scores,
-                         const Rational& weight, std::vector<double> cooperations)
+                         const Rational& weight, std::vector<double> cooperations, bool rounded)
     : names_(std::move(names)),
       behaviours_(names_.size()),
       cooperations_(std::move(cooperations)),
@@ -91,13 +91,12 @@ ScoreMatrix::ScoreMatrix(std::vector<std::string> names, const std::vector<std::
   for (std::size_t i = 0; i < size(); ++i) behaviour_of_.push_back(i);
   Integer denominator = 1;
   Integer largest = 0;
-  for (const auto& row : scores)
-    for (const auto& score : row) {
-      denominator = lcm(denominator, score.denominator());
-      // Beyond that the numbers are rounded: they came from somewhere where they were.
-      if (!denominator.fits_word()) break;
+  exact_ = !rounded;
+  for (std::size_t i = 0; i < size() && exact_; ++i)
+    for (std::size_t j = 0; j < size() && exact_; ++j) {
+      denominator = lcm(denominator, scores[i][j].denominator());
+      exact_ = denominator.fits_word();  // beyond that the numbers came from somewhere where they were rounded
     }
-  exact_ = denominator.fits_word();
   if (exact_)
     for (const auto& row : scores)
       for (const auto& score : row) {

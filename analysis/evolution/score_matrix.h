@@ -25,9 +25,10 @@ public:
   explicit ScoreMatrix(const Tournament& tournament);
 
   /// A table of numbers, a row a strategy, whose matches last `weight` rounds. `cooperations`, where known, counts the
-  /// C of row against column. Throws UsageError where the table is not square or names repeat.
+  /// C of row against column. `rounded`: the numbers are not exact, whatever they look like. Throws UsageError where
+  /// the table is not square or names repeat.
   ScoreMatrix(std::vector<std::string> names, const std::vector<std::vector<Rational>>& scores, const Rational& weight,
-              std::vector<double> cooperations = {});
+              std::vector<double> cooperations = {}, bool rounded = false);
 
   std::size_t size() const { return names_.size(); }
   const std::vector<std::string>& names() const { return names_; }

@@ -101,6 +101,8 @@ std::string tic_literal(std::string_view text) {
   return text_literal(doubled);
 }
 
+std::string name_literal(std::string_view name) { return text_literal(shortened(name, longest_name)); }
+
 double title_width(std::string_view title) { return text_width(characters(title).size(), title_font); }
 
 double widest_name(const std::vector<std::string>& names, double font) {

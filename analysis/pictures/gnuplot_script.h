@@ -19,6 +19,9 @@ std::string text_literal(std::string_view text);
 /// The same for the label of a tic, which gnuplot also reads as a format.
 std::string tic_literal(std::string_view text);
 
+/// The same for a name in a legend: at most 32 characters, the middle of a longer one left out.
+std::string name_literal(std::string_view name);
+
 /// Sizes of letters in pixels.
 inline constexpr double title_font = 15;
 inline constexpr double text_font = 12;

@@ -17,7 +17,7 @@ WINGS = {
     "sct": [["files"], ["network"], ["data"], ["policy"], ["training"]],
     "mpe": [["world"], ["network"], ["players"], ["evaluation"], ["online", "data", "pictures"], ["offline"], ["study"]],
     "tools": [["program"], ["choices"],
-              ["ipd_match", "ipd_strategies", "ipd_tournament", "strategy_graph", "sct_train", "payoff_region",
+              ["ipd_match", "ipd_strategies", "ipd_tournament", "ipd_evolve", "strategy_graph", "sct_train", "payoff_region",
                "sce_check", "mpe_train", "mpe_evaluate"]],
 }
 MOST_UNITS = 20  # of a folder; a unit is a header with its source

@@ -3,7 +3,7 @@
 #include <folk/tools/choices/criterion_option.h>
 #include <folk/tools/choices/game_option.h>
 #include <folk/tools/choices/play_options.h>
-#include <folk/tools/choices/standard_names.h>
+#include <folk/tools/choices/roster_option.h>
 #include <folk/tools/ipd_tournament/classes.h>
 #include <folk/tools/ipd_tournament/invasion_output.h>
 #include <folk/tools/ipd_tournament/output.h>
@@ -15,7 +15,6 @@
 #include <fmt/format.h>
 #include <folk/analysis/pictures/plots.h>
 #include <folk/games/error.h>
-#include <folk/strategies/registry.h>
 
 #include <algorithm>
 #include <functional>
@@ -68,40 +67,6 @@ Program program() {
   return program;
 }
 
-/// The roster less what is excluded; the included entrants follow it.
-struct Field {
-  std::vector<Strategy> entrants;
-  std::size_t core = 0;
-};
-
-/// Takes out what --exclude says: names that entrants go by, labels among them, and what else a SPEC may say.
-void leave_out(std::vector<Strategy>& entrants, const std::string& spec, const Registry& registry,
-               const Payoffs& payoffs) {
-  std::string others;
-  for (const auto& item : split_list(spec)) {
-    const auto called_so = [&](const Strategy& strategy) { return same_name(strategy.name, item); };
-    if (std::erase_if(entrants, called_so) == 0) others += (others.empty() ? "" : ",") + item;
-  }
-  if (others.empty() && !split_list(spec).empty()) return;
-  for (const auto& left_out : registry.roster(others, payoffs)) {
-    const auto same = [&](const Strategy& strategy) { return same_name(strategy.name, left_out.name); };
-    if (std::erase_if(entrants, same) == 0)
-      throw UsageError(fmt::format("--exclude {}: it is not in the roster", left_out.name));
-  }
-}
-
-Field field_of(const po::variables_map& values, const Payoffs& payoffs) {
-  const Registry registry = standard_names(chosen_play_options(values));
-  Field field{registry.roster(text_option(values, "strategies"), payoffs), 0};
-  if (values.count("exclude") != 0) leave_out(field.entrants, text_option(values, "exclude"), registry, payoffs);
-  if (field.entrants.empty()) throw UsageError("the roster is empty: --exclude leaves nobody");
-  field.core = field.entrants.size();
-  if (values.count("include") != 0)
-    field.entrants = with_guests(registry, std::move(field.entrants), text_option(values, "strategies"),
-                                 text_option(values, "include"), payoffs);
-  return field;
-}
-
 /// svg, png or nothing, once it is clear that so many strategies can be drawn here.
 std::optional<std::string> picture_extension(const po::variables_map& values, std::size_t strategies) {
   if (values.count("plot") == 0) return std::nullopt;
@@ -130,7 +95,7 @@ int tournament(const po::variables_map& values, const Common& common) {
   settings.threads = threads_option(values, common);
   if (values.count("invasion") != 0 && !settings.self_play)
     throw UsageError("--invasion needs what each earns against its own copy: leave out --no-self-play");
-  auto [entrants, core] = field_of(values, game.payoffs);
+  auto [entrants, core] = chosen_field(values, game.payoffs);
   const auto extension = picture_extension(values, entrants.size());
   const auto folder = output_folder(values);
   note_unusual_payoffs(game, common);

@@ -19,26 +19,28 @@ constexpr std::array all_values{
         " threads seed repetitions rounds horizon most-pairs width data-repetitions aggregate-every "
         "aggregate-repetitions steps hidden layers heads context batch warmup evaluate-every validation-repetitions "
         "validation-seed checkpoint-every depth episodes numpy-seed selection-seed episode transitions first-episode "
-        "memory first-update update-every evaluation-episodes patience evaluations most-kinds "},
+        "memory first-update update-every evaluation-episodes patience population "
+        "individuals generations runs evaluations most-kinds "},
     Values{"X",
            " regret-temperature situation-temperature learning-rate final-learning-rate weight-decay clip return-scale "
            "return-jitter tolerance action-penalty conservatism imitation target-noise target-noise-clip discount "
-           "epsilon-belief epsilon-payoff exploration final-exploration averaging dropout early "},
-    Values{"P", " noise end-probability validation-noise aggregate-slip "},
+           "epsilon-belief epsilon-payoff exploration final-exploration averaging dropout early resilience intensity "},
+    Values{"P", " noise end-probability validation-noise aggregate-slip mutation "},
     Values{"SPEC", " strategies include exclude opponents entrants class roster held-out "},
-    Values{"FILE", " game config log output curve record render replay medium prey-output picture "},
+    Values{"FILE", " game config log output curve record render replay medium prey-output picture tournament journal "},
     Values{"DIR",
-           " data checkpoint ipd-tournament_output sce-check_output mpe-evaluate_output mpe-train_collect_output "
+           " data checkpoint ipd-tournament_output ipd-evolve_output sce-check_output mpe-evaluate_output "
+           "mpe-train_collect_output "
            "mpe-train_study_output "},
     Values{"T=,R=,P=,S=", " payoffs "},
     Values{"CRITERION", " criterion "},
     Values{"FORMAT", " format plot "},
     Values{"PLAYER", " predators prey "},
-    Values{"LIST", " targets mpe-train_study_only mpe-train_study_seeds seeds mark "},
+    Values{"LIST", " targets mpe-train_study_only mpe-train_study_seeds seeds mark start "},
     Values{
         "NAME",
         " side require loss scenario reward-rule level dtype learner budget readout algorithm critic references title "
-        "decay only "},
+        "decay only model income fitness "},
 };
 
 }  // namespace

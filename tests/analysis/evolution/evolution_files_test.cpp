@@ -67,7 +67,17 @@ TEST(PopulationHistory, IsThinnedWhereItIsLong) {
   for (std::uint64_t generation = 0; generation <= 5000; ++generation) history.add(generation, population);
   EXPECT_EQ(history.stride(), 4U);
   EXPECT_EQ(history.rows().back().generation, 5000U);
-  EXPECT_EQ(history.rows()[1].generation, 4U);
+  EXPECT_EQ(history.rows()[255].generation, 255U);  // the first 256 are all there
+  EXPECT_EQ(history.rows()[257].generation, 260U);
+  EXPECT_LE(history.rows().size() * 1024, PopulationHistory::most_numbers);
+}
+
+TEST(PopulationHistory, OfVeryManyStrategiesEndsToo) {
+  PopulationHistory history;
+  const Population population(20000, 1);
+  for (std::uint64_t generation = 0; generation <= 200; ++generation) history.add(generation, population);
+  EXPECT_LE(history.rows().size() * 20000, PopulationHistory::most_numbers);
+  EXPECT_EQ(history.mean_of_last_quarter().front(), 1);
 }
 
 TEST(ScoreTable, ReadsWhatTournamentsWrite) {

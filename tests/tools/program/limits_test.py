@@ -21,6 +21,8 @@ PLAYER = ("while read -r what own theirs rest; do case $what in game) answer=C;;
 RUNS = {
     "ipd-tournament": (("--strategies", "classics", "--rounds", "20", "--threads", "4", "--output", "out"),
                        {"out/ranking.csv", "out/scores.csv", "out/cooperation.csv", "out/pairs.csv", "out/summary.json"}),
+    "ipd-evolve": (("--strategies", "all_c,all_d,tit_for_tat", "--rounds", "20", "--threads", "4", "--output", "out", "--journal", "j"),
+                   {"out/ranking.csv", "out/populations.csv", "out/cooperation.csv", "out/summary.json", "j"}),
     "ipd-match": ((f'exec:"{PLAYER}"', "pavlov", "--rounds", "5"), set()),
     "ipd-strategies": (("list", "--format", "csv"), set()),
     "strategy-graph": (("mem2", "-o", "a.dot"), {"a.dot"}),
