@@ -31,6 +31,8 @@ public:
 
   const MemoryClass& members() const { return members_; }
   const ClassScale& scale() const { return scale_; }
+  /// Of all rounds of a match.
+  double total_weight() const { return criterion_.total_weight(); }
 
 private:
   MemoryClass members_;

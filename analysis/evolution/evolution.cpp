@@ -9,6 +9,29 @@
 #include <utility>
 
 namespace folk {
+namespace {
+
+/// True for 0 to 100, then for a digit and zeros.
+bool is_summed_up(std::uint64_t generation) {
+  std::uint64_t power = 1;
+  while (power <= generation / 10) power *= 10;
+  return generation <= 100 || generation % power == 0;
+}
+
+}  // namespace
+
+GenerationSummary summary_of(std::uint64_t generation, const Population& population) {
+  GenerationSummary summary{generation, 0, 0, 0, 0};
+  for (std::size_t i = 0; i < population.size(); ++i) {
+    if (population[i] > 0) ++summary.living;
+    summary.individuals += population[i];
+    if (population[i] > summary.number) {
+      summary.leader = i;
+      summary.number = population[i];
+    }
+  }
+  return summary;
+}
 
 Evolution::Evolution(DynamicsPtr dynamics, Population start, std::uint64_t seed)
     : dynamics_(std::move(dynamics)),
@@ -26,6 +49,7 @@ Evolution::Evolution(DynamicsPtr dynamics, Population start, std::uint64_t seed)
   state_.population = start_;
   state_.extinct_at.assign(start_.size(), 0);
   state_.history.add(0, start_);
+  state_.summaries.push_back(summary_of(0, start_));
   state_.marked = start_;
 }
 
@@ -63,6 +87,7 @@ void Evolution::run(std::uint64_t generations, const Progress& progress, const s
       if (lives) state_.extinct_at[i] = 0;  // mutation brings back
     }
     state_.history.add(state_.generation, state_.population);
+    if (is_summed_up(state_.generation)) state_.summaries.push_back(summary_of(state_.generation, state_.population));
     look_for_end(before);
     if (after) after();
     progress(static_cast<double>(state_.generation) / static_cast<double>(generations));

@@ -20,12 +20,24 @@ enum class EvolutionEnd {
   uniform       ///< one strategy is left, none can come back
 };
 
+/// What is kept of a generation however many strategies there are.
+struct GenerationSummary {
+  std::uint64_t generation = 0;
+  std::uint64_t living = 0;  ///< strategies
+  double individuals = 0;
+  std::uint64_t leader = 0;  ///< the most numerous strategy, of several the first
+  double number = 0;         ///< of the leader
+
+  bool operator==(const GenerationSummary&) const = default;
+};
+
 /// All that an evolution is, so that it can be kept and gone on with.
 struct EvolutionState {
   std::uint64_t generation = 0;
   Population population;
   std::vector<std::uint64_t> extinct_at;  ///< the generation in which a strategy was first without members; 0: alive
   PopulationHistory history;
+  std::vector<GenerationSummary> summaries;  ///< of generations up to 100, then 200, 300, ... 1000, 2000, and so on
   EvolutionEnd end = EvolutionEnd::none;
   std::uint64_t period = 0;  ///< of a cycle
 
@@ -33,6 +45,8 @@ struct EvolutionState {
   std::uint64_t marked_generation = 0;
   Population marked;
 };
+
+GenerationSummary summary_of(std::uint64_t generation, const Population& population);
 
 /// An entrant's place at the end.
 struct PopulationRank {

@@ -13,7 +13,7 @@
 namespace folk {
 namespace {
 
-constexpr std::string_view evolution_title = "folk evolution journal 1";
+constexpr std::string_view evolution_title = "folk evolution journal 2";
 constexpr std::string_view fixation_title = "folk fixation journal 1";
 
 std::uint64_t seal_of(std::string_view text) {
@@ -125,6 +125,10 @@ std::string journal_text(const EvolutionState& state, std::uint64_t identity) {
   put(out, "mark", state.marked);
   for (const auto& [generation, population] : state.history.rows())
     put(out, fmt::format("row {}", generation), population);
+  fmt::format_to(std::back_inserter(out), "summaries {}\n", state.summaries.size());
+  for (const auto& summary : state.summaries)
+    fmt::format_to(std::back_inserter(out), "{} {} {} {} {}\n", summary.generation, summary.living, summary.individuals,
+                   summary.leader, summary.number);
   return sealed(fmt::to_string(out));
 }
 
@@ -157,6 +161,17 @@ EvolutionState read_evolution_journal(std::string_view text, const std::string& 
     if (generation > state.generation) reader.damaged();
     history.push_back({generation, {}});
     history.back().population = reader.population_values(strategies);
+  }
+  reader.word("summaries");
+  for (auto left = reader.number<std::uint64_t>(); left > 0; --left) {
+    GenerationSummary summary;
+    summary.generation = reader.number<std::uint64_t>();
+    summary.living = reader.number<std::uint64_t>();
+    summary.individuals = reader.number<double>();
+    summary.leader = reader.number<std::uint64_t>();
+    summary.number = reader.number<double>();
+    if (summary.leader >= strategies || summary.generation > state.generation) reader.damaged();
+    state.summaries.push_back(summary);
   }
   reader.end();
   state.history = PopulationHistory::restored(stride, std::move(history));

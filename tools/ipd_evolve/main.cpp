@@ -1,10 +1,13 @@
 // ipd-evolve: what becomes of populations of strategies.
 
+#include <folk/tools/choices/whole_class.h>
+#include <folk/tools/ipd_evolve/class_evolution.h>
 #include <folk/tools/ipd_evolve/evolution_output.h>
 #include <folk/tools/ipd_evolve/fixation_output.h>
 #include <folk/tools/ipd_evolve/journal.h>
 #include <folk/tools/ipd_evolve/pictures.h>
 #include <folk/tools/ipd_evolve/question.h>
+#include <folk/tools/ipd_evolve/run_journal.h>
 #include <folk/tools/ipd_evolve/scores.h>
 #include <folk/tools/program/interruption.h>
 #include <folk/tools/program/output_folder.h>
@@ -34,9 +37,11 @@ Program program() {
       "Mathieu & Delahaye in exact integers, their other models, the replicator equation, birth-death and pairwise\n"
       "comparison; and says who takes over, with which probability, and what rare mutations come to. SPEC is a\n"
       "comma list of names, rosters (classics, sct2025, all), families (memory(1,2)), genotypes\n"
-      "(mem12_ccCDCDDCDD), @FILE (@- is the standard input) and exec:\"CMD\"; LABEL=NAME renames one of them.";
+      "(mem12_ccCDCDDCDD), @FILE (@- is the standard input) and exec:\"CMD\"; LABEL=NAME renames one of them.\n"
+      "A complete class alone may be as large as memory(2,2).";
   program.examples = {"ipd-evolve --rounds 1000",
                       "ipd-evolve --strategies 'memory(1,2)' --rounds 1000 --format csv",
+                      "ipd-evolve --strategies 'memory(2,2)' --rounds 1000 --journal memory22.journal",
                       "ipd-evolve --strategies all_c,all_d,tit_for_tat --model replicator --mutation 0.001 --output "
                       "results --plot",
                       "ipd-evolve --strategies all_d,tit_for_tat --start all_d=90,tit_for_tat=10 --runs 1000",
@@ -67,13 +72,6 @@ struct Setting {
   unsigned threads = 1;
 };
 
-/// The end of work that SIGINT or SIGTERM asked for.
-[[noreturn]] void interrupted(const Journal& journal, const std::string& how_far) {
-  throw EnvironmentError(journal
-                             ? fmt::format("interrupted after {}; the same command goes on from there", how_far)
-                             : fmt::format("interrupted after {}; nothing is kept without --journal FILE", how_far));
-}
-
 std::uint64_t identity_with(const ScoreMatrix& scores, std::uint64_t more) {
   Signature signature;
   signature.add(scores.signature());
@@ -85,25 +83,7 @@ void evolve(const Setting& setting, Journal& journal) {
   const auto& [played, question, common, folder, picture, seed, threads] = setting;
   Evolution evolution(question.dynamics, question.start, seed);
   const auto identity = identity_with(*played.scores, evolution.identity());
-  if (const auto text = journal.read()) {
-    evolution.restore(read_evolution_journal(*text, journal.name(), identity, played.scores->size()));
-    if (evolution.state().generation > question.generations)
-      throw UsageError(
-          fmt::format("--journal {}: it is at generation {}, beyond --generations {}: ask for more, or "
-                      "name another file",
-                      journal.name(), evolution.state().generation, question.generations));
-    common.note(fmt::format("going on from generation {} of {}", evolution.state().generation, journal.name()));
-  }
-  const auto text = [&] { return journal_text(evolution.state(), identity); };
-  try {
-    ProgressBar bar("evolving", !common.quiet);
-    const Interruption interruption;
-    evolution.run(question.generations, {std::ref(bar), Interruption::requested}, [&] { journal.now_and_then(text); });
-  } catch (const Cancelled&) {
-    if (journal) journal.write(text());
-    interrupted(journal, fmt::format("generation {}", evolution.state().generation));
-  }
-  if (journal) journal.write(text());
+  run_with_journal(evolution, question.generations, journal, identity, played.scores->size(), common);
   const EvolutionReport report{played, question, evolution, common.command};
   if (folder) write_evolution_files(*folder, report);
   if (folder && picture) draw_evolution(*folder, report, *picture);
@@ -170,12 +150,13 @@ void solve(const Setting& setting) {
 
 int run_question(const po::variables_map& values, const Common& common) {
   check_question(values);
+  if (const auto members = unlisted_class(text_option(values, "strategies")))
+    return evolve_class(*members, values, common);
   const auto seed = whole_option(values, "seed", 1, 0, ~std::uint64_t{0});
   const unsigned threads = threads_option(values, common);
   const auto picture = chosen_picture(values);
   const auto folder = output_folder(values);
-  Journal journal(values.count("journal") != 0 ? std::optional<std::filesystem::path>(text_option(values, "journal"))
-                                               : std::nullopt);
+  Journal journal = journal_option(values);
   const PlayedScores played = chosen_scores(values, common, seed, threads);
   const EvolveQuestion question = chosen_question(values, played.scores);
   const Setting setting{played, question, common, folder, picture, seed, threads};

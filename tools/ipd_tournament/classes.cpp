@@ -2,6 +2,7 @@
 #include <folk/tools/choices/game_option.h>
 #include <folk/tools/choices/play_options.h>
 #include <folk/tools/choices/standard_names.h>
+#include <folk/tools/choices/whole_class.h>
 #include <folk/tools/ipd_tournament/class_output.h>
 #include <folk/tools/ipd_tournament/classes.h>
 #include <folk/tools/program/output_folder.h>
@@ -10,7 +11,6 @@
 
 #include <fmt/format.h>
 #include <folk/games/error.h>
-#include <folk/strategies/names.h>
 #include <folk/strategies/registry.h>
 
 #include <algorithm>
@@ -34,12 +34,11 @@ void refuse(const po::variables_map& values, std::initializer_list<const char*> 
 }  // namespace
 
 std::optional<MemoryClass> whole_class(const po::variables_map& values) {
-  const auto items = split_list(text_option(values, "strategies"));
-  const auto members = items.size() == 1 ? MemoryClass::parse(items[0]) : std::nullopt;
-  const bool by_behaviour = values.count("by-behaviour") != 0;
-  if (by_behaviour && !members)
-    throw UsageError("--by-behaviour is for a complete class alone: --strategies 'memory(X,Y)'");
-  return members && (by_behaviour || members->size() > Integer(MemoryClass::most_listed)) ? members : std::nullopt;
+  const std::string spec = text_option(values, "strategies");
+  if (values.count("by-behaviour") == 0) return unlisted_class(spec);
+  const auto members = named_class(spec);
+  if (!members) throw UsageError("--by-behaviour is for a complete class alone: --strategies 'memory(X,Y)'");
+  return members;
 }
 
 int rank_class(const MemoryClass& members, const po::variables_map& values, const Common& common) {
