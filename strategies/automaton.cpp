@@ -2,6 +2,7 @@
 #include <folk/strategies/automaton.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -111,11 +112,16 @@ std::uint32_t classify(const std::vector<Key>& keys, std::vector<std::uint32_t>&
 
 }  // namespace
 
-Automaton::Automaton(std::vector<Node> nodes, std::uint32_t start, std::optional<std::uint32_t> beyond)
+Automaton::Automaton(std::vector<Node> nodes, std::uint32_t start, std::optional<std::uint32_t> beyond,
+                     std::vector<std::string> state_names)
     : nodes_(std::move(nodes)),
       start_(start),
-      beyond_(beyond) {
+      beyond_(beyond),
+      state_names_(std::move(state_names)) {
   if (nodes_.empty()) throw UsageError("an automaton needs at least one state");
+  if (!state_names_.empty() && state_names_.size() != nodes_.size())
+    throw UsageError("an automaton of " + std::to_string(nodes_.size()) + " states has " +
+                     std::to_string(state_names_.size()) + " names of states");
   if (start_ >= nodes_.size() || (beyond_ && *beyond_ >= nodes_.size()))
     throw UsageError("an automaton of " + std::to_string(nodes_.size()) + " states starts outside them");
   for (const Node& node : nodes_) {
@@ -184,6 +190,27 @@ Automaton minimise(const Automaton& automaton, Sense sense) {
   // In a narrower sense than the unrolling's nothing may lead past the horizon.
   if (place == found.states.end()) return Automaton(std::move(found.nodes), 0);
   return Automaton(std::move(found.nodes), 0, static_cast<std::uint32_t>(place - found.states.begin()));
+}
+
+std::vector<std::vector<std::string>> names_behind(const Automaton& shown, const Machine& machine, Sense sense) {
+  std::vector<std::vector<std::string>> names(shown.size());
+  const auto* automaton = dynamic_cast<const Automaton*>(&machine);
+  if (automaton == nullptr || automaton->state_names().empty()) return names;
+  // Both play side by side: whoever is met together is the same.
+  using Pair = std::pair<std::uint32_t, std::uint32_t>;
+  std::vector<Pair> open{{static_cast<std::uint32_t>(automaton->start()), static_cast<std::uint32_t>(shown.start())}};
+  std::set<Pair> met{open.front()};
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    const auto [state, drawn] = open[i];
+    if (shown.beyond() == drawn) continue;
+    names[drawn].push_back(automaton->state_names()[state]);
+    for (const Outcome outcome : all_outcomes) {
+      if (!possible(automaton->nodes()[state].cooperation, outcome, sense)) continue;
+      const Pair next{automaton->nodes()[state].next[outcome.index()], shown.nodes()[drawn].next[outcome.index()]};
+      if (met.insert(next).second) open.push_back(next);
+    }
+  }
+  return names;
 }
 
 }  // namespace folk

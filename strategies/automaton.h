@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace folk {
@@ -28,8 +29,10 @@ public:
     bool operator==(const Node&) const = default;
   };
 
-  /// Throws UsageError when there is no state, a successor does not exist or a probability is outside [0, 1].
-  Automaton(std::vector<Node> nodes, std::uint32_t start, std::optional<std::uint32_t> beyond = std::nullopt);
+  /// Throws UsageError when there is no state, a successor does not exist, a probability is outside [0, 1], or there
+  /// are names but not one a state.
+  Automaton(std::vector<Node> nodes, std::uint32_t start, std::optional<std::uint32_t> beyond = std::nullopt,
+            std::vector<std::string> state_names = {});
 
   State start() const override { return start_; }
   double cooperation(State state) const override { return nodes_[state].cooperation; }
@@ -44,6 +47,10 @@ public:
   /// The state that stands for everything past the horizon of `unroll`, if there is one; it has no meaning as play.
   std::optional<std::uint32_t> beyond() const { return beyond_; }
 
+  /// What the states' author calls them, one a state; empty where nobody named them. They have no meaning as play.
+  const std::vector<std::string>& state_names() const { return state_names_; }
+
+  /// Equal as play: names do not count.
   bool operator==(const Automaton& other) const {
     return start_ == other.start_ && nodes_ == other.nodes_ && beyond_ == other.beyond_;
   }
@@ -52,6 +59,7 @@ private:
   std::vector<Node> nodes_;
   std::uint32_t start_;
   std::optional<std::uint32_t> beyond_;
+  std::vector<std::string> state_names_;
   bool deterministic_ = true;
 };
 
@@ -73,5 +81,10 @@ Automaton unroll(const Machine& machine, Sense sense, unsigned horizon, std::siz
 /// The smallest automaton that answers alike in this sense, states in breadth-first order, so that two automata behave
 /// alike if and only if their minimised forms are equal.
 Automaton minimise(const Automaton& automaton, Sense sense);
+
+/// For each state of `shown`, which plays as `machine` does in this sense (minimised, unrolled, or both), the names
+/// that the machine's author gave to the states behind it, in breadth-first order; all empty for a machine without
+/// names.
+std::vector<std::vector<std::string>> names_behind(const Automaton& shown, const Machine& machine, Sense sense);
 
 }  // namespace folk

@@ -117,7 +117,8 @@ public:
 
   bool empty() const { return states_.empty(); }
 
-  Automaton finish() const {
+  /// `named`: the machine knows what its states are called.
+  Automaton finish(bool named) const {
     std::vector<Automaton::Node> nodes;
     nodes.reserve(states_.size());
     for (const auto& state : states_) {
@@ -125,12 +126,17 @@ public:
       node.cooperation = state.cooperation;
       for (std::size_t o = 0; o < 4; ++o) node.next[o] = find(state.next[o], state.line);
     }
-    return Automaton(std::move(nodes), start_ ? find(start_->first, start_->second) : 0);
+    std::vector<std::string> names;
+    if (named)
+      for (const auto& state : states_) names.emplace_back(state.name);
+    return Automaton(std::move(nodes), start_ ? find(start_->first, start_->second) : 0, std::nullopt,
+                     std::move(names));
   }
 
 private:
   struct Listed {
     std::size_t line;
+    std::string_view name;
     double cooperation;
     std::array<std::string_view, 4> next;
   };
@@ -156,7 +162,7 @@ private:
     if (!is_new)
       throw Fault{line, fmt::format("state '{}' is already in line {}; rename one of them", excerpt(words[0]),
                                     states_[found->second].line)};
-    Listed listed{line, read_cooperation(words[1], line), {words[2], words[3], words[2], words[3]}};
+    Listed listed{line, words[0], read_cooperation(words[1], line), {words[2], words[3], words[2], words[3]}};
     if (statement.count == 6) listed.next = {words[2], words[3], words[4], words[5]};
     states_.push_back(listed);
   }
@@ -212,7 +218,7 @@ private:
     if (line_ == 0) return;
     if (block_.empty())
       throw Fault{line_, fmt::format("machine '{}' has no state; list one as 'c C c c'", excerpt(name_))};
-    machines_.push_back({std::string(name_), block_.finish()});
+    machines_.push_back({std::string(name_), block_.finish(true)});
     block_ = {};
   }
 
@@ -275,7 +281,7 @@ Automaton read_machine_line(std::string_view line) {
     Block block;
     for_each_statement(line, [&](const Statement& statement) { block.take(statement); });
     if (block.empty()) throw Fault{1, "it has no state; list one as 'c C c c'"};
-    return block.finish();
+    return block.finish(false);
   } catch (const Fault& fault) {
     throw UsageError(fmt::format("machine '{}': {}", excerpt(line), fault.what));
   }

@@ -30,8 +30,8 @@ struct NamedMachine {
 /// More states than this in one machine are refused.
 inline constexpr std::size_t most_written_states = 1'000'000;
 
-/// All machines of a text, in order; there is at least one. `source` (a path) is what messages call the text.
-/// Throws InputFileError "source:LINE: what; mend" on the first fault.
+/// All machines of a text, in order; there is at least one, and each knows what its states are called. `source` (a
+/// path) is what messages call the text. Throws InputFileError "source:LINE: what; mend" on the first fault.
 std::vector<NamedMachine> read_machines(std::string_view text, const std::string& source);
 
 /// One machine without a name, on one line: "c C c d; d D c d". Throws UsageError.
