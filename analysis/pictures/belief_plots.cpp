@@ -56,9 +56,9 @@ Layout belief_path_layout(const BeliefPathPlot& plot) {
   layout.right = layout.left + 620;
   layout.top = 48;
   layout.bottom = layout.top + 150;
-  layout.width = std::max(layout.right + 20, title_width(plot.title) + 28);
-  layout.height = layout.bottom + 72;
-  return layout;
+  layout.width = layout.right + 20;
+  layout.height = layout.bottom + 70;
+  return with_words(layout, plot.title, plot.caption);
 }
 
 /// The rounds of a match in lines of data.
@@ -102,7 +102,7 @@ std::string belief_path_axes(const Layout& layout, std::size_t rounds) {
   text += axis_name(layout, "round") + side_name(layout, "P(C)");
   return text +
          fmt::format("set key at {},{} left bottom Left reverse vertical maxrows 1 width -5 samplen 1.6 font ',{}'\n",
-                     layout.x(layout.left - 16), layout.y(layout.height - 8), text_font);
+                     layout.x(layout.left - 16), layout.y(layout.bottom + 64), text_font);
 }
 
 std::string belief_path_layers(const BeliefLines& lines, std::size_t rounds) {
@@ -132,9 +132,9 @@ Layout accuracy_layout(const AccuracyPlot& plot) {
   layout.right = layout.left + 300;
   layout.top = 44;
   layout.bottom = layout.top + row * static_cast<double>(plot.names.size()) + 8;
-  layout.width = std::max(layout.right + 62, title_width(plot.title) + 28);
-  layout.height = layout.bottom + 56;
-  return layout;
+  layout.width = layout.right + 62;
+  layout.height = layout.bottom + 54;
+  return with_words(layout, plot.title, plot.caption);
 }
 
 std::string accuracy_bars(const AccuracyPlot& plot) {
@@ -161,9 +161,9 @@ Layout calibration_layout(const CalibrationPlot& plot) {
   layout.right = layout.left + 340;
   layout.top = 44;
   layout.bottom = layout.top + 340;
-  layout.width = std::max(layout.right + 40, title_width(plot.title) + 28);
-  layout.height = layout.bottom + 96;
-  return layout;
+  layout.width = layout.right + 40;
+  layout.height = layout.bottom + 88;
+  return with_words(layout, plot.title, plot.caption);
 }
 
 /// A count in at most 5 characters: "950", "12.3k", "1.2M".
@@ -203,7 +203,7 @@ std::string belief_path_script(const BeliefPathPlot& plot, PictureFormat format)
   if (plot.match.empty()) throw UsageError("a picture of beliefs needs a round");
   const std::size_t rounds = std::min(plot.match.size(), most_drawn_rounds);
   const Layout layout = belief_path_layout(plot);
-  return opening(format, layout, plot.title) + belief_path_axes(layout, rounds) +
+  return opening(format, layout, plot.title, plot.caption) + belief_path_axes(layout, rounds) +
          belief_path_layers(belief_lines(plot.match, rounds), rounds);
 }
 
@@ -218,7 +218,7 @@ std::string accuracy_script(const AccuracyPlot& plot, PictureFormat format) {
                                                 static_cast<double>(n) - 0.3);
   axes += name_tics("ytics", plot.names, std::min(text_font, row_height(n) - 1.5), "nomirror");
   axes += "set xtics 20\n" + axis_name(layout, "rounds in which the likelier move was played, %");
-  return opening(format, layout, plot.title) + axes + accuracy_bars(plot);
+  return opening(format, layout, plot.title, plot.caption) + axes + accuracy_bars(plot);
 }
 
 std::string calibration_script(const CalibrationPlot& plot, PictureFormat format) {
@@ -229,20 +229,20 @@ std::string calibration_script(const CalibrationPlot& plot, PictureFormat format
   axes += fmt::format(
       "set label 'numbers: rounds of each tenth; dotted: perfect calibration' at {},{} center font ',{}' textcolor rgb "
       "'#444444'\n",
-      layout.x((layout.left + layout.right) / 2), layout.y(layout.height - 22), note_font);
-  return opening(format, layout, plot.title) + axes + calibration_bins(plot);
+      layout.x((layout.left + layout.right) / 2), layout.y(layout.bottom + 74), note_font);
+  return opening(format, layout, plot.title, plot.caption) + axes + calibration_bins(plot);
 }
 
 void draw(const BeliefPathPlot& plot, const fs::path& path) {
-  draw_script(path, [&](PictureFormat format) { return belief_path_script(plot, format); });
+  draw_script(path, plot.title, [&](PictureFormat format) { return belief_path_script(plot, format); });
 }
 
 void draw(const AccuracyPlot& plot, const fs::path& path) {
-  draw_script(path, [&](PictureFormat format) { return accuracy_script(plot, format); });
+  draw_script(path, plot.title, [&](PictureFormat format) { return accuracy_script(plot, format); });
 }
 
 void draw(const CalibrationPlot& plot, const fs::path& path) {
-  draw_script(path, [&](PictureFormat format) { return calibration_script(plot, format); });
+  draw_script(path, plot.title, [&](PictureFormat format) { return calibration_script(plot, format); });
 }
 
 }  // namespace folk

@@ -3,6 +3,7 @@
 
 #include <folk/analysis/beliefs/belief_consistency.h>
 #include <folk/analysis/beliefs/belief_record.h>
+#include <folk/analysis/pictures/caption.h>
 #include <folk/analysis/pictures/render.h>
 
 #include <array>
@@ -21,6 +22,7 @@ inline constexpr std::size_t most_drawn_rounds = 400;
 struct BeliefPathPlot {
   BeliefMatch match;
   std::string title;
+  Caption caption{};
 };
 
 /// In how many rounds the likelier move was played, opponent by opponent.
@@ -28,12 +30,14 @@ struct AccuracyPlot {
   std::vector<std::string> names;             ///< the first at the top
   std::vector<std::optional<double>> shares;  ///< 0 to 1; nothing where there was no belief
   std::string title;
+  Caption caption{};
 };
 
 /// A reliability diagram (Murphy & Winkler 1977): how often C was played when it was believed in so much.
 struct CalibrationPlot {
   std::array<CalibrationBin, 10> bins;
   std::string title;
+  Caption caption{};
 };
 
 /// The whole gnuplot script, data included, that draws into `output` (any path; nothing in a name or a path is

@@ -1,4 +1,5 @@
 #include <folk/analysis/pictures/drawing.h>
+#include <folk/analysis/pictures/gnuplot_script.h>
 #include <folk/games/outcome.h>
 #include <folk/games/utf8.h>
 
@@ -22,7 +23,10 @@ constexpr std::string_view fill_mixed = "#ece8f2";
 /// The outcomes (CC, CD, DC, DD) that lead from one state to another.
 using Outcomes = std::array<bool, 4>;
 
-/// Draws one automaton; `caption` comes last because it explains only what was drawn.
+/// The size of the names below the moves.
+constexpr double name_size = 11;
+
+/// Draws one automaton; `words` come last because they explain only what was drawn.
 class Drawing {
 public:
   Drawing(const Automaton& automaton, const DrawingOptions& options)
@@ -30,6 +34,8 @@ public:
         options_(options) {
     for (std::size_t s = 0; s < automaton.size(); ++s)
       own_matters_ = own_matters_ || (!is_beyond(s) && own_move_matters(automaton.nodes()[s]));
+    for (const auto& names : options.state_names)
+      for (const auto& name : names) wide_ = wide_ || gnuplot::text_width(name, name_size) > 44;
   }
 
   std::string text() {
@@ -41,11 +47,12 @@ public:
         "digraph \"{0}\" {{\n"
         "  rankdir=LR; bgcolor=white; pad=0.15; nodesep=0.45; ranksep=0.55;\n"
         "  fontname=\"Helvetica\"; fontsize=12; labelloc=b; label=\"\\n{1}\";\n"
-        "  node [shape=circle, style=filled, fontname=\"Helvetica\", fontsize=16, width=0.6, penwidth=1.2];\n"
+        "  node [shape={5}, style=filled, fontname=\"Helvetica\", fontsize=16, width=0.6, penwidth=1.2];\n"
         "  edge [fontname=\"Helvetica\", fontsize=12, arrowsize=0.8];\n"
         "  start [shape=point, width=0.08, label=\"\"];\n"
         "{2}  start -> s{3};\n{4}}}\n",
-        dot_text(options_.title), caption(), states, automaton_.start(), edges);
+        dot_text(options_.title), words(), states, automaton_.start(), edges,
+        wide_ ? "ellipse, height=0.6, margin=\"0.02,0.02\"" : "circle");
   }
 
 private:
@@ -87,11 +94,27 @@ private:
     const bool once = !automaton_.beyond() && !recurs(s);
     mixes_ = mixes_ || mixed;
     once_ = once_ || once;
-    return fmt::format("  s{} [label=\"{}\", fillcolor=\"{}\"{}{}];\n", s, label,
+    return fmt::format("  s{} [label={}, fillcolor=\"{}\"{}{}];\n", s, with_names(label, s),
                        mixed   ? fill_mixed
                        : p > 0 ? fill_cooperate
                                : fill_defect,
                        mixed ? ", fontsize=12" : "", once ? ", style=\"filled,dashed\"" : "");
+  }
+
+  /// A state's label, with the names that its author gave to it below its move.
+  std::string with_names(const std::string& label, std::size_t s) const {
+    if (s >= options_.state_names.size() || options_.state_names[s].empty()) return fmt::format("\"{}\"", label);
+    const auto& names = options_.state_names[s];
+    std::string text = label;
+    if (const auto at = text.find("\\n"); at != std::string::npos) text.replace(at, 2, "<BR/>");
+    constexpr std::size_t most = 3;
+    const auto add = [&](const std::string& line) {
+      text += fmt::format("<BR/><FONT POINT-SIZE=\"{}\">{}</FONT>", name_size, line);
+    };
+    for (std::size_t i = 0; i < std::min(most, names.size()); ++i)
+      add(gnuplot::xml_text(gnuplot::fitted(names[i], name_size, 120)));
+    if (names.size() > most) add(fmt::format("and {} more", names.size() - most));
+    return fmt::format("<{}>", text);
   }
 
   /// "C", "C, D"; with own moves "C/D", "*/C" (either own move), "D/*", "*/*".
@@ -140,7 +163,7 @@ private:
     return text;
   }
 
-  std::string caption() const {
+  std::string words() const {
     std::string text = dot_text(options_.title);
     if (automaton_.beyond()) text += fmt::format(" · first {} rounds", options_.horizon);
     text += own_matters_ ? " · edges: own/their move" : " · edges: their move";
@@ -151,11 +174,12 @@ private:
     if (once_) legend.emplace_back("dashed: visited at most once");
     if (automaton_.beyond()) legend.emplace_back("…: all later rounds");
     if (!legend.empty()) text += fmt::format("\\n{}", fmt::join(legend, " · "));
-    return text;
+    return text + "\\n" + dot_text(caption_text(options_.caption));
   }
 
   const Automaton& automaton_;
   const DrawingOptions& options_;
+  bool wide_ = false;  ///< some name has no room in a circle
   bool own_matters_ = false;
   bool mixes_ = false;
   bool once_ = false;

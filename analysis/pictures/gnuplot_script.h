@@ -1,6 +1,7 @@
 #pragma once
 // What all gnuplot scripts of Folk share: text that cannot be taken for code, and the layout of a picture.
 
+#include <folk/analysis/pictures/caption.h>
 #include <folk/analysis/pictures/render.h>
 
 #include <cstddef>
@@ -27,9 +28,13 @@ inline constexpr double title_font = 15;
 inline constexpr double text_font = 12;
 inline constexpr double note_font = 11;
 
-/// Upper estimates in pixels of how wide a text is drawn. Names are drawn with at most 32 characters.
-double title_width(std::string_view title);
+/// Upper estimates in pixels of how wide a text is drawn, in whatever usual font the viewer has. Names are drawn with
+/// at most 32 characters.
+double text_width(std::string_view text, double font);
 double widest_name(const std::vector<std::string>& names, double font);
+
+/// A text that is at most so many pixels wide, the middle of a wider one left out.
+std::string fitted(std::string_view text, double font, double pixels);
 
 /// Pixels a row, where each of so many names has one.
 double row_height(std::size_t names);
@@ -48,8 +53,15 @@ struct Layout {
   std::string y(double pixels) const;
 };
 
-/// The first lines of a script: encoding, terminal, margins, title.
-std::string opening(PictureFormat format, const Layout& layout, std::string_view title);
+/// The layout with room for the words around it: as wide as the title and the caption need, and higher by the caption.
+Layout with_words(Layout layout, std::string_view title, const Caption& caption);
+
+/// The first lines of a script: encoding, terminal, margins, title, and the caption at the foot of a layout that
+/// with_words made.
+std::string opening(PictureFormat format, const Layout& layout, std::string_view title, const Caption& caption);
+
+/// The same without words, for a picture that has its own.
+std::string opening(PictureFormat format, const Layout& layout);
 
 /// The names as the labels of an axis ("ytics") at 0, 1, 2...
 std::string name_tics(std::string_view axis, const std::vector<std::string>& names, double font,
@@ -61,8 +73,13 @@ PictureFormat picture_format(const std::filesystem::path& path);
 /// Throws RendererMissing where gnuplot is not installed.
 void require_gnuplot();
 
-/// Has gnuplot draw what `script` says to a file; a failure leaves no half picture. Throws UsageError as
-/// picture_format, RendererMissing without gnuplot, EnvironmentError when it fails or the file cannot be written.
-void draw_script(const std::filesystem::path& path, const std::function<std::string(PictureFormat)>& script);
+/// Has gnuplot draw what `script` says to a file; a failure leaves no half picture. `title` is what an SVG is called,
+/// which screen readers and browsers say. Throws UsageError as picture_format, RendererMissing without gnuplot,
+/// EnvironmentError when it fails or the file cannot be written.
+void draw_script(const std::filesystem::path& path, std::string_view title,
+                 const std::function<std::string(PictureFormat)>& script);
+
+/// Any text as XML's character data or an attribute's value, with what text_literal keeps of it.
+std::string xml_text(std::string_view text);
 
 }  // namespace folk::gnuplot

@@ -15,20 +15,12 @@ namespace {
 
 constexpr std::string_view font = "fontname=\"Helvetica\"";
 
-std::string_view fill(Stability stability) {
-  switch (stability) {
-    case Stability::evolutionarily_stable: return "#bfe3c0";
-    case Stability::neutrally_stable: return "#cfe3f7";
-    case Stability::invaded: return "#ffffff";
-    case Stability::undecided: break;
-  }
-  return "#e0e0e0";
-}
-
 /// Dark colours that stay apart for every common colour vision (after Okabe & Ito 2008): one line is followed among
-/// many by the colour of the box that it starts from.
-constexpr std::array<std::string_view, 7> inks{"#000000", "#b35900", "#0072b2", "#007a5a",
-                                               "#a3437d", "#7a6a00", "#5b4bb0"};
+/// many by its colour. Greens and blues are left out, which say how stable a box is.
+constexpr std::array<std::string_view, 6> inks{"#000000", "#b35900", "#a3437d", "#7a6a00", "#7d7d7d", "#8c2d04"};
+
+/// Of boxes and the frame, so that no border can be taken for a meaning.
+constexpr std::string_view border = "#444444";
 
 std::string_view line(Invasion invasion) {
   switch (invasion) {
@@ -50,24 +42,23 @@ public:
     find_frame();
   }
 
-  std::string text(const std::string& title) const {
+  std::string text(const std::string& title, const Caption& caption) const {
     std::string body;
     std::string inside;
     for (std::size_t b = 0; b < boxes_.size(); ++b) (framed_[b] ? inside : body) += box(b);
     if (!inside.empty())
-      body =
-          fmt::format(
-              "  subgraph cluster_neutral {{\n    label=\"\"; style=\"rounded,dashed\"; color=\"#4a7ab0\"; margin=14;\n"
-              "{}  }}\n",
-              inside) +
-          body;
+      body = fmt::format(
+                 "  subgraph cluster_neutral {{\n    label=\"\"; style=\"rounded,dashed\"; color=\"{}\"; margin=14;\n"
+                 "{}  }}\n",
+                 border, inside) +
+             body;
     return fmt::format(
         "digraph invasions {{\n"
         "  compound=true; bgcolor=white; pad=0.2; nodesep=0.35; ranksep=0.8;\n"
-        "  {0}; fontsize=12; labelloc=b; label=\"\\n{1}\\n{2}\";\n"
-        "  node [shape=box, style=\"rounded,filled\", {0}, fontsize=14, penwidth=1.6];\n"
-        "  edge [arrowsize=0.7, penwidth=1.1];\n{3}{4}}}\n",
-        font, dot_text(title), legend(!inside.empty()), body, arrows());
+        "  {0}; fontsize=12; labelloc=b; label=\"\\n{1}\\n{2}\\n{3}\";\n"
+        "  node [shape=box, style=\"rounded,filled\", {0}, fontsize=14, penwidth=1.2, color=\"{4}\"];\n"
+        "  edge [arrowsize=0.7, penwidth=1.1];\n{5}{6}}}\n",
+        font, dot_text(title), legend(!inside.empty()), dot_text(caption_text(caption)), border, body, arrows());
   }
 
 private:
@@ -123,8 +114,10 @@ private:
   std::string box(std::size_t b) const {
     std::string label;
     for (const std::size_t i : boxes_[b]) label += (label.empty() ? "" : "\\n") + dot_text(names_[i]);
-    return fmt::format("  {}b{} [label=\"{}\", color=\"{}\", fillcolor=\"{}\"];\n", framed_[b] ? "  " : "", b, label,
-                       ink(b), fill(invasions_.stability(boxes_[b].front())));
+    const Stability stability = invasions_.stability(boxes_[b].front());
+    return fmt::format("  {}b{} [label=\"{}\", fillcolor=\"{}\"{}];\n", framed_[b] ? "  " : "", b, label,
+                       stability_colour(stability),
+                       stability == Stability::evolutionarily_stable ? ", peripheries=2" : "");
   }
 
   /// What all in the frame do to a box, or (`to_frame`) it to all of them; resists where they differ.
@@ -145,7 +138,7 @@ private:
     for (std::size_t b = 0; b < boxes_.size(); ++b) {
       if (framed_[b]) continue;
       if (const Invasion how = of_frame(b, false); how != Invasion::resists)
-        text += arrow(frame_[frame_.size() / 2], b, how, ", color=\"#4a7ab0\", ltail=cluster_neutral, penwidth=2");
+        text += arrow(frame_[frame_.size() / 2], b, how, ", ltail=cluster_neutral, penwidth=2");
       if (const Invasion how = of_frame(b, true); how != Invasion::resists)
         text += arrow(b, frame_[frame_.size() / 2], how, ", lhead=cluster_neutral, penwidth=2");
     }
@@ -167,18 +160,22 @@ private:
     return true;
   }
 
+  /// What the lines and the boxes mean that were drawn.
   std::string legend(bool with_frame) const {
-    std::string text =
-        "arrow: from the mutant to the resident that it invades; solid strictly, dashed weakly, two heads each the "
-        "other";
+    std::string text = "arrow: from the mutant to the resident that it invades; solid strictly, dashed weakly";
     for (std::size_t i = 0; i < invasions_.size(); ++i)
-      if (!invasions_.mutants(i, Invasion::undecided).empty()) return text + ", dotted undecided" + rest(with_frame);
-    return text + rest(with_frame);
-  }
-
-  static std::string rest(bool with_frame) {
-    return fmt::format("\\ngreen: evolutionarily stable; blue: neutrally stable; white: invaded{}",
-                       with_frame ? "\\nin the frame each invades each weakly; a thick arrow is for all of them" : "");
+      if (!invasions_.mutants(i, Invasion::undecided).empty()) {
+        text += ", dotted undecided";
+        break;
+      }
+    text += ", two heads each the other\\nits colour only tells it from the arrows of others";
+    text += "\\ngreen, double line: evolutionarily stable; blue: neutrally stable; white: invaded";
+    for (std::size_t i = 0; i < invasions_.size(); ++i)
+      if (invasions_.stability(i) == Stability::undecided) {
+        text += "; grey: undecided";
+        break;
+      }
+    return text + (with_frame ? "\\nin the frame each invades each weakly; a thick arrow is for all of them" : "");
   }
 
   const Invasions& invasions_;
@@ -190,11 +187,22 @@ private:
 
 }  // namespace
 
-std::string to_dot(const Invasions& invasions, const std::vector<std::string>& names, const std::string& title) {
+std::string_view stability_colour(Stability stability) {
+  switch (stability) {
+    case Stability::evolutionarily_stable: return "#a8d8a8";
+    case Stability::neutrally_stable: return "#cfe3f7";
+    case Stability::invaded: return "#ffffff";
+    case Stability::undecided: break;
+  }
+  return "#d0d0d0";
+}
+
+std::string to_dot(const Invasions& invasions, const std::vector<std::string>& names, const std::string& title,
+                   const Caption& caption) {
   if (invasions.size() > most_drawn_invasions)
     throw UsageError(fmt::format("{} strategies are too many for a graph of invasions: at most {}", invasions.size(),
                                  most_drawn_invasions));
-  return InvasionDrawing(invasions, names).text(title);
+  return InvasionDrawing(invasions, names).text(title, caption);
 }
 
 }  // namespace folk

@@ -46,9 +46,9 @@ Layout layout_of(const PayoffRegionPlot& plot) {
   layout.right = layout.left + 520;
   layout.top = 44;
   layout.bottom = layout.top + 440;
-  layout.width = std::max(layout.right + 24, title_width(plot.title) + 28);
+  layout.width = layout.right + 24;
   layout.height = layout.bottom + 56 + legend_row * static_cast<double>(legend_entries(plot)) + 12;
-  return layout;
+  return with_words(layout, plot.title, plot.caption);
 }
 
 std::string axes(const PayoffRegionPlot& plot, const Layout& layout, PictureFormat format) {
@@ -59,11 +59,12 @@ std::string axes(const PayoffRegionPlot& plot, const Layout& layout, PictureForm
   for (const char* axis : {"x", "y"})
     text +=
         fmt::format("set {}tics nomirror format '%g' scale 0.3 font ',{}' textcolor rgb 'black'\n", axis, text_font);
-  text += fmt::format("set label {} at {},{} center font ',{}'\n", text_literal("payoff of " + plot.players[0]),
+  text += fmt::format("set label {} at {},{} center font ',{}'\n",
+                      text_literal(fitted("payoff of " + plot.players[0], text_font, layout.right - layout.left)),
                       layout.x((layout.left + layout.right) / 2), layout.y(layout.bottom + 40), text_font);
   text += fmt::format("set label {} at {},{} rotate by 90 center font ',{}'\n",
-                      text_literal("payoff of " + plot.players[1]), layout.x(22),
-                      layout.y((layout.top + layout.bottom) / 2), text_font);
+                      text_literal(fitted("payoff of " + plot.players[1], text_font, layout.bottom - layout.top)),
+                      layout.x(22), layout.y((layout.top + layout.bottom) / 2), text_font);
   text += fmt::format("set key at {},{} left top Left reverse samplen 2 spacing {} font ',{}'\n",
                       layout.x(layout.left - 20), layout.y(layout.bottom + 56),
                       format == PictureFormat::svg ? 1.0 : 1.25, text_font);  // a line is higher in SVG
@@ -153,6 +154,7 @@ std::string outcome_labels(const PayoffRegionPlot& plot, const Layout& layout) {
   std::vector<std::string> names;
   for (const auto& outcome : plot.outcomes) names.push_back(outcome.name);
   const bool outside = widest_name(names, note_font) <= room;
+  const double most = 0.45 * (layout.right - layout.left);  // inside it then ends before the frame does
   const Range x = axis_range(plot, 0);
   const Range y = axis_range(plot, 1);
   std::string text;
@@ -165,8 +167,8 @@ std::string outcome_labels(const PayoffRegionPlot& plot, const Layout& layout) {
     text += fmt::format(
         "set label {} at first {},{} {} offset character {},{} front font ',{}' textcolor rgb '#444444' "
         "point pt 7 ps 0.35 lc rgb '#444444'\n",
-        text_literal(name), payoffs[0], payoffs[1], ends_at_point ? "right" : "left", ends_at_point ? -aside : aside,
-        payoffs[1] < (y[0] + y[1]) / 2 ? -above : above, note_font);
+        text_literal(fitted(name, note_font, most)), payoffs[0], payoffs[1], ends_at_point ? "right" : "left",
+        ends_at_point ? -aside : aside, payoffs[1] < (y[0] + y[1]) / 2 ? -above : above, note_font);
   }
   return text;
 }
@@ -187,12 +189,12 @@ std::string payoff_region_script(const PayoffRegionPlot& plot, PictureFormat for
     drawing.add_points("DOTS", distinct_dots(plot), plot.dots_name, "pt 7 ps 0.4 lc rgb '#222222'");
   drawing.add_points("PURE", {plot.pure_minmax}, "pure minmax point", "pt 4 ps 1.3 lw 2 lc rgb '#d95f02'");
   drawing.add_points("MIXED", {plot.mixed_minmax}, "mixed minmax point", "pt 2 ps 1 lw 2 lc rgb '#b2182b'");
-  return opening(format, layout, plot.title) + axes(plot, layout, format) + outcome_labels(plot, layout) +
+  return opening(format, layout, plot.title, plot.caption) + axes(plot, layout, format) + outcome_labels(plot, layout) +
          drawing.data + fmt::format("plot {}\n", fmt::join(drawing.layers, ", \\\n     "));
 }
 
 void draw(const PayoffRegionPlot& plot, const fs::path& path) {
-  draw_script(path, [&](PictureFormat format) { return payoff_region_script(plot, format); });
+  draw_script(path, plot.title, [&](PictureFormat format) { return payoff_region_script(plot, format); });
 }
 
 }  // namespace folk

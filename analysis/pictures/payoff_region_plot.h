@@ -2,6 +2,7 @@
 // The picture of a payoff region: what is feasible, what is individually rational, what is an equilibrium.
 
 #include <folk/analysis/folk_theorem/convex_polygon.h>
+#include <folk/analysis/pictures/caption.h>
 #include <folk/analysis/pictures/render.h>
 
 #include <array>
@@ -32,6 +33,8 @@ struct PayoffRegionPlot {
 
   std::vector<Point<double>> dots;
   std::string dots_name;  ///< for the legend: "pairs of classics"
+
+  Caption caption{};
 };
 
 /// The whole gnuplot script, data included, that draws into `output` (any path; nothing in a name or a path is

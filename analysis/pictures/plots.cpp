@@ -1,5 +1,6 @@
 #include <folk/analysis/pictures/box_summary.h>
 #include <folk/analysis/pictures/gnuplot_script.h>
+#include <folk/analysis/pictures/matrix_frame.h>
 #include <folk/analysis/pictures/plots.h>
 #include <folk/games/error.h>
 
@@ -54,16 +55,26 @@ std::array<double, 2> colour_range(const HeatMap& map) {
   std::array<double, 2> range{INFINITY, -INFINITY};
   if (map.range) {
     range = *map.range;
-    if (!std::isfinite(range[0]) || !std::isfinite(range[1])) throw UsageError("a heat map's range is not finite");
-  } else {
-    for (std::size_t i = 0; i < map.names.size(); ++i)
-      for (std::size_t j = 0; j < map.names.size(); ++j)
-        if (const double value = map.value(i, j); std::isfinite(value))
-          range = {std::min(range[0], value), std::max(range[1], value)};
+    if (!std::isfinite(range[0]) || !std::isfinite(range[1]) || range[0] >= range[1])
+      throw UsageError("a heat map's range is not two finite numbers, the second the greater");
+    return range;
   }
+  for (std::size_t i = 0; i < map.names.size(); ++i)
+    for (std::size_t j = 0; j < map.names.size(); ++j)
+      if (const double value = map.value(i, j); std::isfinite(value))
+        range = {std::min(range[0], value), std::max(range[1], value)};
   if (range[0] > range[1]) return {0, 1};
   if (range[0] == range[1]) return {range[0] - 0.5, range[1] + 0.5};
   return range;
+}
+
+/// True when some value lies beyond the range.
+bool exceeds(const HeatMap& map, const std::array<double, 2>& range) {
+  for (std::size_t i = 0; i < map.names.size(); ++i)
+    for (std::size_t j = 0; j < map.names.size(); ++j)
+      if (const double value = map.value(i, j); std::isfinite(value) && (value < range[0] || value > range[1]))
+        return true;
+  return false;
 }
 
 /// How all numbers of a heat map are written, so that they fit their cells.
@@ -81,30 +92,10 @@ std::string number_format(const HeatMap& map) {
   return largest >= 99.5 ? "{:.1f}" : "{:.2f}";
 }
 
-/// Cells have white lines between them in a heat map of at most this many strategies.
-constexpr std::size_t most_lined = 60;
-
-double cell_size(std::size_t strategies) {
-  if (strategies <= 8) return 54;
-  if (strategies <= most_numbered) return 40;
-  if (strategies <= most_lined) return 18;
-  return strategies <= 120 ? 12 : 9;
-}
-
-double name_font(double cell) { return cell >= 40 ? 12 : cell >= 18 ? 11 : cell - 1.5; }
-
 Layout heat_map_layout(const HeatMap& map) {
-  const auto n = static_cast<double>(map.names.size());
-  const double cell = cell_size(map.names.size());
-  const double names = widest_name(map.names, name_font(cell));
-  Layout layout;
-  layout.left = 14 + 22 + names + 8;
-  layout.top = 36 + 20 + names + 8;
-  layout.right = layout.left + n * cell;
-  layout.bottom = layout.top + std::max(n * cell, 54.0);
-  layout.width = std::max(layout.right + 110, title_width(map.title) + 28);
-  layout.height = layout.bottom + 16;
-  return layout;
+  Layout layout = matrix_layout(map.names);
+  layout.width = layout.right + 110;
+  return with_words(layout, map.title, map.caption);
 }
 
 /// A line a row of the matrix; "?" where nothing was played.
@@ -133,25 +124,15 @@ std::string cell_data(const HeatMap& map, const std::array<double, 2>& range) {
 }
 
 std::string heat_map_axes(const HeatMap& map, const Layout& layout, const std::array<double, 2>& range) {
-  const double font = name_font(cell_size(map.names.size()));
-  const double far = static_cast<double>(map.names.size()) - 0.5;
-  std::string text = palette();
+  std::string text = palette() + matrix_axes(layout, map.names, "strategy", "against");
   text += fmt::format("set cbrange [{}:{}]\n", range[0], range[1]);
-  text += fmt::format("set xrange [-0.5:{}]\nset x2range [-0.5:{}]\nset yrange [{}:-0.5]\n", far, far, far);
-  text += "unset xtics\nset border lw 0.5 lc rgb '#666666'\n";
   text += "set object rectangle from graph 0,0 to graph 1,1 behind fillcolor rgb '#e4e4e4' fillstyle solid noborder\n";
-  text += name_tics("x2tics", map.names, font, "rotate by 90 left offset 0,0.1");
-  text += name_tics("ytics", map.names, font, "");
-  const std::string note = fmt::format("font ',{}' textcolor rgb '#444444'\n", note_font);
-  text += fmt::format("set label 'against' at {},{} center {}", layout.x((layout.left + layout.right) / 2),
-                      layout.y(48), note);
-  text += fmt::format("set label 'strategy' at {},{} rotate by 90 center {}", layout.x(20),
-                      layout.y((layout.top + layout.bottom) / 2), note);
   text +=
       fmt::format("set colorbox user origin {},{} size {},{}\n", layout.x(layout.right + 16), layout.y(layout.bottom),
                   layout.x(14), fmt::format("screen {:.6f}", (layout.bottom - layout.top) / layout.height));
-  text += fmt::format("set cbtics format '%g' scale 0.3 font ',{}' textcolor rgb 'black'\nset cblabel {} font ',12'\n",
-                      note_font, text_literal(map.unit));
+  text +=
+      fmt::format("set cbtics format '%g' scale 0.3 font ',{}' textcolor rgb 'black'\nset cblabel {} font ',12'\n",
+                  note_font, text_literal(exceeds(map, range) ? map.unit + " (beyond: the end's colour)" : map.unit));
   return text;
 }
 
@@ -185,9 +166,9 @@ Layout box_plot_layout(const BoxPlot& plot) {
   layout.top = 40;
   layout.right = layout.left + 560;
   layout.bottom = layout.top + row * static_cast<double>(plot.names.size()) + 8;
-  layout.width = std::max(layout.right + 24, title_width(plot.title) + 28);
-  layout.height = layout.bottom + 76;
-  return layout;
+  layout.width = layout.right + 24;
+  layout.height = layout.bottom + 72;
+  return with_words(layout, plot.title, plot.caption);
 }
 
 /// The boxes of those rows that have a value, by row.
@@ -229,7 +210,7 @@ std::string box_plot_axes(const BoxPlot& plot, const Layout& layout, const std::
   text += fmt::format(
       "set label 'box: quartiles, median; whiskers: up to 1.5 interquartile ranges; circles: beyond; diamond: mean' "
       "at {},{} center font ',{}' textcolor rgb '#444444'\n",
-      layout.x((layout.left + layout.right) / 2), layout.y(layout.height - 14), note_font);
+      layout.x((layout.left + layout.right) / 2), layout.y(layout.bottom + 62), note_font);
   return text;
 }
 
@@ -265,14 +246,16 @@ std::string heat_map_script(const HeatMap& map, PictureFormat format) {
   check(map.names.size());
   const Layout layout = heat_map_layout(map);
   const auto range = colour_range(map);
-  return opening(format, layout, map.title) + heat_map_axes(map, layout, range) + heat_map_cells(map, range, format);
+  return opening(format, layout, map.title, map.caption) + heat_map_axes(map, layout, range) +
+         heat_map_cells(map, range, format);
 }
 
 std::string box_plot_script(const BoxPlot& plot, PictureFormat format) {
   check(plot.names.size());
   const Layout layout = box_plot_layout(plot);
   const auto boxes = boxes_of(plot);
-  return opening(format, layout, plot.title) + box_plot_axes(plot, layout, axis_range(boxes)) + box_layers(boxes);
+  return opening(format, layout, plot.title, plot.caption) + box_plot_axes(plot, layout, axis_range(boxes)) +
+         box_layers(boxes);
 }
 
 void require_plotter(std::size_t strategies) {
@@ -281,11 +264,11 @@ void require_plotter(std::size_t strategies) {
 }
 
 void draw(const HeatMap& map, const fs::path& path) {
-  draw_script(path, [&](PictureFormat format) { return heat_map_script(map, format); });
+  draw_script(path, map.title, [&](PictureFormat format) { return heat_map_script(map, format); });
 }
 
 void draw(const BoxPlot& plot, const fs::path& path) {
-  draw_script(path, [&](PictureFormat format) { return box_plot_script(plot, format); });
+  draw_script(path, plot.title, [&](PictureFormat format) { return box_plot_script(plot, format); });
 }
 
 }  // namespace folk

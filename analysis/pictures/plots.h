@@ -1,6 +1,7 @@
 #pragma once
 // The pictures of a tournament that people expect: a heat map of a matrix, a box plot of mean scores; drawn by gnuplot.
 
+#include <folk/analysis/pictures/caption.h>
 #include <folk/analysis/pictures/render.h>
 
 #include <array>
@@ -29,6 +30,7 @@ struct HeatMap {
   std::string title;
   std::string unit;                            ///< what a colour means: "points a round"
   std::optional<std::array<double, 2>> range;  ///< lowest and highest colour; by default those of the values
+  Caption caption{};
 };
 
 /// How one strategy's mean scores spread over its opponents, for every strategy.
@@ -37,10 +39,12 @@ struct BoxPlot {
   PairValue value;                 ///< mean score a round of the row; values that are not finite are left out
   std::string title;
   std::string unit;  ///< the axis: "mean score a round"
+  Caption caption{};
 };
 
 /// The whole gnuplot script, data included, that draws into `output` (any path; nothing in a name or a path is
-/// executed). Throws UsageError on no names, more than most_plotted, or a path with a control character.
+/// executed). A value beyond a map's range has the colour of its end. Throws UsageError on no names, more than
+/// most_plotted, and a range that is not two finite numbers of which the second is the greater.
 std::string heat_map_script(const HeatMap& map, PictureFormat format);
 std::string box_plot_script(const BoxPlot& plot, PictureFormat format);
 

@@ -132,6 +132,18 @@ std::string run_renderer(const std::vector<std::string>& argv, const std::string
   return picture;
 }
 
+namespace {
+
+std::string run_dot(const std::vector<std::string>& argv, const std::string& dot) {
+  try {
+    return run_renderer(argv, dot, "graphviz");
+  } catch (const RendererMissing& missing) {
+    throw RendererMissing(fmt::format("{}, or write a .dot file", missing.what()));
+  }
+}
+
+}  // namespace
+
 std::string to_string(PictureFormat format) {
   switch (format) {
     case PictureFormat::svg: return "svg";
@@ -141,15 +153,14 @@ std::string to_string(PictureFormat format) {
   return "pdf";
 }
 
-void render_dot(const std::string& dot, const fs::path& path, PictureFormat format) {
+std::string plain_layout(const std::string& dot) { return run_dot({"dot", "-Tplain"}, dot); }
+
+void render_dot(const std::string& dot, const fs::path& path, PictureFormat format, Places places) {
   require_writable(path);
   std::vector<std::string> argv{"dot", "-T" + to_string(format)};
   if (format == PictureFormat::png) argv.emplace_back("-Gdpi=144");
-  try {
-    write_file(path, run_renderer(argv, dot, "graphviz"));
-  } catch (const RendererMissing& missing) {
-    throw RendererMissing(fmt::format("{}, or write a .dot file", missing.what()));
-  }
+  if (places == Places::given) argv.insert(argv.end(), {"-Kneato", "-n2"});
+  write_file(path, run_dot(argv, dot));
 }
 
 }  // namespace folk

@@ -26,7 +26,14 @@ enum class PictureFormat { svg, png, pdf };
 /// "svg", "png" or "pdf".
 std::string to_string(PictureFormat format);
 
-/// Lays out a graph in the DOT language and writes it as a picture. Throws EnvironmentError, as run_renderer does.
-void render_dot(const std::string& dot, const std::filesystem::path& path, PictureFormat format);
+/// Where dot puts the parts of a graph in the DOT language, in its plain format. Throws EnvironmentError, as
+/// run_renderer does.
+std::string plain_layout(const std::string& dot);
+
+/// Lays out a graph in the DOT language, or takes the places that its text gives to nodes and edges, and writes it as a
+/// picture. Throws EnvironmentError, as run_renderer does.
+enum class Places { by_dot, given };
+void render_dot(const std::string& dot, const std::filesystem::path& path, PictureFormat format,
+                Places places = Places::by_dot);
 
 }  // namespace folk

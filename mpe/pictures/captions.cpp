@@ -10,6 +10,7 @@
 namespace folk::mpe {
 namespace {
 
+using gnuplot::note_font;
 using gnuplot::text_font;
 using gnuplot::title_font;
 
@@ -107,8 +108,14 @@ std::vector<Shape> draw_heading(const Film& film) {
 
 double heading_width(const Film& film) {
   constexpr double bold = 1.1;
-  return 2 * margin + bold * gnuplot::title_width(film.title);
+  return 2 * margin + bold * gnuplot::text_width(film.title, title_font);
 }
+
+std::vector<Shape> draw_caption(const Film& film, double bottom) {
+  return {Text{{margin, bottom - 14}, film.caption, note_font, Text::Anchor::left, false, "#666666"}};
+}
+
+double caption_width(const Film& film) { return 2 * margin + gnuplot::text_width(film.caption, note_font); }
 
 double legend_height(const Film& film, const ArenaView& view, double width) {
   return legend_row_height * static_cast<double>(columns_of(entries(film, view), width).rows);

@@ -1,5 +1,5 @@
 #pragma once
-// What a picture of an episode says in words: its heading and its legend.
+// What a picture of an episode says in words: its heading, its legend and its caption.
 
 #include <folk/mpe/pictures/arena_drawing.h>
 
@@ -16,6 +16,13 @@ inline constexpr double heading_height = 64;
 
 /// How wide a picture must be for its heading, an upper estimate.
 double heading_width(const Film& film);
+
+/// What was played and which Folk drew it, at the foot of a picture of this height; `caption_height` is its room.
+std::vector<Shape> draw_caption(const Film& film, double bottom);
+inline constexpr double caption_height = 22;
+
+/// How wide a picture must be for its caption, an upper estimate.
+double caption_width(const Film& film);
 
 /// What each colour and sign means, in columns, as many as the width holds.
 std::vector<Shape> draw_legend(const Film& film, const ArenaView& view, const Point& top_left, double width);

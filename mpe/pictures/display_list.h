@@ -54,6 +54,7 @@ struct Picture {
   double width = 0;
   double height = 0;
   std::vector<Shape> shapes;
+  std::string title{};  ///< what a screen reader says
 
   void add(std::vector<Shape> more) { shapes.insert(shapes.end(), more.begin(), more.end()); }
 };

@@ -78,8 +78,8 @@ std::string animated_svg(const EpisodeRecord& record) {
   const ArenaView view = ArenaView(film, arena_side, arena_side).moved_to({margin, heading_height});
   const Point side{margin + view.width() + side_gap, heading_height};
   const double side_height = counters_height + legend_height(film, view, side_width);
-  const double width = std::max(side.x + side_width + margin, heading_width(film));
-  const double height = heading_height + std::max(view.height(), side_height) + margin;
+  const double width = std::max({side.x + side_width + margin, heading_width(film), caption_width(film)});
+  const double height = heading_height + std::max(view.height(), side_height) + 8 + caption_height;
 
   Path paper = rectangle({0, 0}, width, height);
   paper.fill = Paint{"#ffffff"};
@@ -90,6 +90,7 @@ std::string animated_svg(const EpisodeRecord& record) {
   for (std::size_t agent = 0; agent < film.scenario.agents(); ++agent) body += moving_agent(film, view, clock, agent);
   body += animated_counters(film, clock, side, side_width);
   body += svg_elements(draw_legend(film, view, {side.x, side.y + counters_height}, side_width));
+  body += svg_elements(draw_caption(film, height));
   return svg_document(width, height, film.title, body);
 }
 

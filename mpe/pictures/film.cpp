@@ -1,3 +1,4 @@
+#include <folk/analysis/pictures/caption.h>
 #include <folk/games/error.h>
 #include <folk/mpe/pictures/display_list.h>
 #include <folk/mpe/pictures/film.h>
@@ -66,7 +67,7 @@ std::vector<std::size_t> equally_spaced(std::size_t count, std::size_t most) {
 Film film_of(const EpisodeRecord& record, std::size_t most) {
   require_sound(record.scenario);
   if (record.rows.empty()) throw UsageError("an episode's picture: there is no step in it");
-  Film film{record.scenario, title_of(record), {}, {}};
+  Film film{record.scenario, title_of(record), {}, {}, {}};
   const auto shown = equally_spaced(record.rows.size(), most);
   Frame frame;
   frame.touching.assign(record.scenario.agents(), false);
@@ -84,6 +85,7 @@ Film film_of(const EpisodeRecord& record, std::size_t most) {
     frame.touching.assign(record.scenario.agents(), false);
   }
   film.subtitle = subtitle_of(record, film.frames.back());
+  film.caption = caption_text({printable(record.scenario.name, 24), fmt::format("{} steps", film.steps())});
   return film;
 }
 

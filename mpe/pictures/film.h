@@ -20,6 +20,7 @@ struct Film {
   Scenario scenario;
   std::string title;          ///< the scenario and who played
   std::string subtitle;       ///< which episode, and what came out
+  std::string caption;        ///< the scenario, the steps, Folk's version
   std::vector<Frame> frames;  ///< at least one
 
   std::size_t steps() const { return frames.back().step; }

@@ -13,7 +13,7 @@ namespace {
 constexpr double panel_width = 216;
 constexpr double panel_height = 300;
 constexpr double gap = 10;
-constexpr double caption_height = 26;
+constexpr double step_height = 26;
 constexpr std::size_t panels_in_row = 6;
 
 /// Trails are drawn through so many moments; what happens between two of a longer episode is not seen.
@@ -41,26 +41,29 @@ Picture draw_filmstrip(const EpisodeRecord& record, std::size_t frames) {
 
   Picture picture;
   picture.width = std::max(2 * margin + columns * view.width() + (columns - 1) * gap, heading_width(film));
-  const double legend_top = heading_height + rows * (view.height() + caption_height) + 8;
+  picture.width = std::max(picture.width, caption_width(film));
+  const double legend_top = heading_height + rows * (view.height() + step_height) + 8;
   const double legend_width = picture.width - 2 * margin;
-  picture.height = legend_top + legend_height(film, view, legend_width) + 8;
+  picture.height = legend_top + legend_height(film, view, legend_width) + 4 + caption_height;
 
   Path paper = rectangle({0, 0}, picture.width, picture.height);
   paper.fill = Paint{"#ffffff"};
   picture.shapes.emplace_back(paper);
+  picture.title = film.title;
   picture.add(draw_heading(film));
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const Point corner{margin + static_cast<double>(i % panels_in_row) * (view.width() + gap),
-                       heading_height + static_cast<double>(i / panels_in_row) * (view.height() + caption_height)};
+                       heading_height + static_cast<double>(i / panels_in_row) * (view.height() + step_height)};
     add_panel(picture, film, view.moved_to(corner), shown[i]);
   }
   picture.add(draw_legend(film, view, {margin, legend_top}, legend_width));
+  picture.add(draw_caption(film, picture.height));
   return picture;
 }
 
 std::string filmstrip_svg(const EpisodeRecord& record, std::size_t frames) {
   const Picture picture = draw_filmstrip(record, frames);
-  return svg_document(picture.width, picture.height, "An episode of the particle world", svg_elements(picture.shapes));
+  return svg_document(picture.width, picture.height, picture.title, svg_elements(picture.shapes));
 }
 
 }  // namespace folk::mpe

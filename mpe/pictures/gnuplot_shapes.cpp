@@ -63,7 +63,7 @@ std::string gnuplot_script(const Picture& picture, PictureFormat format) {
   for (const auto& shape : picture.shapes) std::visit(writer, shape);
   const gnuplot::Layout layout{picture.width, picture.height, 0, picture.width, 0, picture.height};
   // The axes are the picture's pixels.
-  return gnuplot::opening(format, layout, "") +
+  return gnuplot::opening(format, layout) +
          fmt::format("unset border\nunset tics\nset xrange [0:{}]\nset yrange [{}:0]\n", picture.width,
                      picture.height) +
          writer.labels + writer.data + fmt::format("plot {}\n", fmt::join(writer.parts, ", \\\n     "));

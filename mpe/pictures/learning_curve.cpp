@@ -29,16 +29,27 @@ void require_sound(const LearningCurvePlot& plot) {
   }
 }
 
+/// The names of the curves, then those of the marks with their values; long ones, of files, without their middle.
+std::vector<std::string> legend_names(const LearningCurvePlot& plot) {
+  constexpr double widest = 560;
+  std::vector<std::string> names;
+  for (const auto& curve : plot.curves) names.push_back(fitted(curve.name, text_font, widest));
+  for (const auto& mark : plot.marks)
+    names.push_back(fmt::format("{} ({:.1f})", fitted(mark.name, text_font, widest - 100), mark.value));
+  return names;
+}
+
 gnuplot::Layout layout_of(const LearningCurvePlot& plot) {
   gnuplot::Layout layout;
   layout.left = 70;
   layout.right = layout.left + 560;
   layout.top = 44;
   layout.bottom = layout.top + 320;
-  layout.width = std::max(layout.right + 24, title_width(plot.title) + 28);
+  layout.width = layout.right + 24;
+  for (const auto& name : legend_names(plot)) layout.width = std::max(layout.width, 130 + text_width(name, text_font));
   layout.height =
       layout.bottom + 56 + curve_row_height * static_cast<double>(plot.curves.size() + plot.marks.size()) + 12;
-  return layout;
+  return with_words(layout, plot.title, plot.caption);
 }
 
 std::string axes(const LearningCurvePlot& plot, const gnuplot::Layout& layout, PictureFormat format) {
@@ -63,6 +74,7 @@ std::string axes(const LearningCurvePlot& plot, const gnuplot::Layout& layout, P
 std::string learning_curve_script(const LearningCurvePlot& plot, PictureFormat format) {
   require_sound(plot);
   const auto layout = layout_of(plot);
+  const auto names = legend_names(plot);
   std::string data;
   std::vector<std::string> layers;
   for (std::size_t i = 0; i < plot.curves.size(); ++i) {
@@ -71,17 +83,18 @@ std::string learning_curve_script(const LearningCurvePlot& plot, PictureFormat f
       data += fmt::format("{} {}\n", plot.curves[i].episodes[k], plot.curves[i].returns[k]);
     data += fmt::format("END_OF_{}\n", i);
     layers.push_back(fmt::format("$RUN{} using 1:2 with lines lw 1.6 lc rgb '{}' title {}", i,
-                                 line_colours[i % line_colours.size()], text_literal(plot.curves[i].name)));
+                                 line_colours[i % line_colours.size()], text_literal(names[i])));
   }
-  for (const auto& mark : plot.marks)
-    layers.push_back(fmt::format("{} with lines lw 1 dt 2 lc rgb '#666666' title {}", mark.value,
-                                 text_literal(fmt::format("{} ({:.1f})", mark.name, mark.value))));
-  return opening(format, layout, plot.title) + axes(plot, layout, format) + data +
+  for (std::size_t i = 0; i < plot.marks.size(); ++i)
+    layers.push_back(fmt::format("{} with lines lw 1 dt 2 lc rgb '#666666' title {}", plot.marks[i].value,
+                                 text_literal(names[plot.curves.size() + i])));
+  return opening(format, layout, plot.title, plot.caption) + axes(plot, layout, format) + data +
          fmt::format("plot {}\n", fmt::join(layers, ", \\\n     "));
 }
 
 void draw(const LearningCurvePlot& plot, const std::filesystem::path& path) {
-  draw_script(path, [&](PictureFormat format) { return learning_curve_script(plot, format); });
+  const std::string name = plot.title.empty() ? plot.unit + " over the episodes played" : plot.title;
+  draw_script(path, name, [&](PictureFormat format) { return learning_curve_script(plot, format); });
 }
 
 }  // namespace folk::mpe

@@ -1,6 +1,7 @@
 #pragma once
 // The picture of how agents learned: mean return over the episodes played, a line a run.
 
+#include <folk/analysis/pictures/caption.h>
 #include <folk/analysis/pictures/render.h>
 
 #include <filesystem>
@@ -27,6 +28,7 @@ struct LearningCurvePlot {
   std::string unit = "return of one predator";
   std::vector<LearningCurve> curves;
   std::vector<CurveMark> marks;
+  Caption caption{};
 };
 
 /// The whole gnuplot script, data included, that draws into `output`. Throws UsageError on no curves, or one that is

@@ -1,9 +1,9 @@
+#include <folk/analysis/pictures/gnuplot_script.h>
 #include <folk/mpe/pictures/svg_shapes.h>
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 
 namespace folk::mpe {
 namespace {
@@ -53,19 +53,7 @@ std::string svg_path_data(const std::vector<Point>& corners) {
   return text;
 }
 
-std::string xml_text(std::string_view text) {
-  std::string out;
-  for (const char c : printable(text, std::numeric_limits<std::size_t>::max())) {
-    switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      default: out += c;
-    }
-  }
-  return out;
-}
+std::string xml_text(std::string_view text) { return gnuplot::xml_text(text); }
 
 std::string svg_elements(const std::vector<Shape>& shapes) {
   std::string text;

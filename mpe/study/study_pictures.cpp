@@ -62,15 +62,16 @@ struct Span {
   }
 };
 
-gnuplot::Layout layout_of(const std::string& title, double width, double height, std::size_t legend_rows) {
+gnuplot::Layout layout_of(const std::string& title, const Caption& caption, double width, double height,
+                          std::size_t legend_rows) {
   gnuplot::Layout layout;
   layout.left = 70;
   layout.right = layout.left + width;
   layout.top = 44;
   layout.bottom = layout.top + height;
-  layout.width = std::max(layout.right + 24, title_width(title) + 28);
+  layout.width = layout.right + 24;
   layout.height = layout.bottom + axis_room + legend_row * static_cast<double>(legend_rows) + 12;
-  return layout;
+  return with_words(layout, title, caption);
 }
 
 /// Frame, grid, titles of the axes and the legend below them.
@@ -138,6 +139,11 @@ std::string data_words(const StudyTables& tables) {
   return tables.data_prey == "released" ? "expert data" : fmt::format("expert data against {}", tables.data_prey);
 }
 
+/// The scenario is the game; its episodes are all of one length.
+Caption caption_of(const StudyTables& tables, const std::string& scenario) {
+  return {scenario, tables.budget.empty() ? "" : "budget " + tables.budget};
+}
+
 std::optional<IntervalCurvesPlot> blend_plot(const StudyTables& tables, const std::string& scenario) {
   const auto blocks = blend_blocks(tables);
   const auto* found = expert_block(blocks, scenario);
@@ -145,7 +151,8 @@ std::optional<IntervalCurvesPlot> blend_plot(const StudyTables& tables, const st
   IntervalCurvesPlot plot{fmt::format("{}: score against blends of the prey, {}", scenario, data_words(tables)),
                           "p: how likely the prey plays as released in a step, else at random",
                           score_title,
-                          {}};
+                          {},
+                          caption_of(tables, scenario)};
   for (const char* learner : {"sct", "madt", "matd3", "lead_pursuit"})
     for (const auto& line : found->lines) {
       if (line.learner != learner) continue;
@@ -162,7 +169,8 @@ std::optional<IntervalCurvesPlot> asked_plot(const StudyTables& tables, const st
   IntervalCurvesPlot plot{fmt::format("{}: what SCT earns when asked for a return, {}", scenario, data_words(tables)),
                           "return that is asked for",
                           score_title,
-                          {}};
+                          {},
+                          caption_of(tables, scenario)};
   for (const auto& prey : table_preys()) {
     IntervalCurve curve{"against " + prey_title(prey), plot.curves.size(), {}};
     for (const auto& row : tables.asked)
@@ -175,7 +183,7 @@ std::optional<IntervalCurvesPlot> asked_plot(const StudyTables& tables, const st
 }
 
 std::optional<AgreementPlot> agreement_plot(const StudyTables& tables, const std::string& scenario) {
-  AgreementPlot plot{fmt::format("{}: scores held against the paper's", scenario), {}};
+  AgreementPlot plot{fmt::format("{}: scores held against the paper's", scenario), {}, caption_of(tables, scenario)};
   for (const auto& row : tables.scores) {
     if (row.scenario != scenario || !to_paper(row)) continue;
     const std::string name = learner_title(row.learner);
@@ -197,7 +205,8 @@ std::optional<ShareBarsPlot> accuracy_plot(const StudyTables& tables, const std:
                      "share of steps",
                      tables.data_prey == "released" ? "the paper's" : "",
                      {},
-                     {}};
+                     {},
+                     caption_of(tables, scenario)};
   for (const auto& prey : found->columns) plot.groups.push_back(prey_title(prey));
   for (const auto& line : found->lines) {
     ShareBarsPlot::Kind kind{learner_title(line.learner), look_of(line.learner), {}};
@@ -222,7 +231,7 @@ void add(std::vector<StudyPicture>& pictures, const std::string& name, const std
 
 std::string interval_curves_script(const IntervalCurvesPlot& plot, PictureFormat format) {
   require_any(!plot.curves.empty(), plot.title);
-  const auto layout = layout_of(plot.title, 560, 320, plot.curves.size());
+  const auto layout = layout_of(plot.title, plot.caption, 560, 320, plot.curves.size());
   Span x, y;
   std::string data;
   std::vector<std::string> layers;
@@ -244,13 +253,13 @@ std::string interval_curves_script(const IntervalCurvesPlot& plot, PictureFormat
   }
   x = x.padded();
   y = y.padded();
-  return opening(format, layout, plot.title) + axes(layout, format, plot.x_title, plot.y_title) +
+  return opening(format, layout, plot.title, plot.caption) + axes(layout, format, plot.x_title, plot.y_title) +
          fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", x.low, x.high, y.low, y.high) + data + plotted(layers);
 }
 
 std::string agreement_script(const AgreementPlot& plot, PictureFormat format) {
   require_any(!plot.learners.empty(), plot.title);
-  const auto layout = layout_of(plot.title, 420, 420, plot.learners.size() + 1);
+  const auto layout = layout_of(plot.title, plot.caption, 420, 420, plot.learners.size() + 1);
   Span both;
   std::string data;
   std::vector<std::string> layers{"x with lines lw 1 dt 2 lc rgb '#666666' title 'equal'"};
@@ -269,12 +278,13 @@ std::string agreement_script(const AgreementPlot& plot, PictureFormat format) {
                                  text_literal(plot.learners[i].name)));
   }
   both = both.padded();
-  return opening(format, layout, plot.title) + axes(layout, format, "score in the paper", "score here") +
+  return opening(format, layout, plot.title, plot.caption) + axes(layout, format, "score in the paper", "score here") +
          fmt::format("set xrange [{0}:{1}]\nset yrange [{0}:{1}]\n", both.low, both.high) + data + plotted(layers);
 }
 
 std::string share_bars_script(const ShareBarsPlot& plot, PictureFormat format) {
-  const auto layout = layout_of(plot.title, 560, 300, plot.kinds.size() + (plot.mark_title.empty() ? 0 : 1));
+  const auto layout =
+      layout_of(plot.title, plot.caption, 560, 300, plot.kinds.size() + (plot.mark_title.empty() ? 0 : 1));
   std::string data, marks;
   std::vector<std::string> layers;
   for (std::size_t k = 0; k < plot.kinds.size(); ++k) {
@@ -293,7 +303,7 @@ std::string share_bars_script(const ShareBarsPlot& plot, PictureFormat format) {
     layers.push_back(fmt::format("$MARKS using 1:2:3:(0) with vectors nohead lw 2 lc rgb 'black' title {}",
                                  text_literal(plot.mark_title)));
   }
-  return opening(format, layout, plot.title) + axes(layout, format, "against the prey", plot.y_title) +
+  return opening(format, layout, plot.title, plot.caption) + axes(layout, format, "against the prey", plot.y_title) +
          "unset grid\nset grid ytics lt 1 lw 0.5 lc rgb '#e4e4e4'\n" +
          name_tics("xtics", plot.groups, text_font, "nomirror") +
          fmt::format("set xrange [-0.6:{}]\nset yrange [0:1.05]\n", static_cast<double>(plot.groups.size()) - 0.4) +
@@ -320,6 +330,8 @@ std::vector<std::string> study_picture_names(const StudyTables& tables) {
   return names;
 }
 
-void draw(const StudyPicture& picture, const std::filesystem::path& path) { draw_script(path, picture.script); }
+void draw(const StudyPicture& picture, const std::filesystem::path& path) {
+  draw_script(path, picture.words, picture.script);
+}
 
 }  // namespace folk::mpe

@@ -1,6 +1,7 @@
 #pragma once
 // The study's pictures, by gnuplot.
 
+#include <folk/analysis/pictures/caption.h>
 #include <folk/analysis/pictures/render.h>
 #include <folk/mpe/study/study_tables.h>
 
@@ -29,6 +30,7 @@ struct IntervalCurve {
 struct IntervalCurvesPlot {
   std::string title, x_title, y_title;
   std::vector<IntervalCurve> curves;
+  Caption caption{};
 };
 
 /// Numbers of ours over those of the paper, a colour and sign a learner, and the diagonal on which they are equal. The
@@ -47,6 +49,7 @@ struct AgreementPlot {
   };
   std::string title;
   std::vector<Learner> learners;
+  Caption caption{};
 };
 
 /// Shares as bars in groups, with intervals as far as a share can be, each with a line at the share that it is held
@@ -64,6 +67,7 @@ struct ShareBarsPlot {
   std::string title, y_title, mark_title;
   std::vector<std::string> groups;
   std::vector<Kind> kinds;
+  Caption caption{};
 };
 
 /// The whole gnuplot scripts, data included, that draw into `output`. Throw UsageError when there is nothing to draw or

@@ -2,6 +2,7 @@
 
 #include <folk/tools/program/standard_input.h>
 
+#include <fmt/format.h>
 #include <folk/games/error.h>
 #include <folk/games/stage_games/nfg.h>
 #include <folk/games/utf8.h>
@@ -34,6 +35,10 @@ ChosenGame chosen_game(const po::variables_map& values) {
 }
 
 std::string shown_title(const std::string& title) { return visible_text(title, 200); }
+
+std::string game_words(const std::string& title, const Payoffs& payoffs) {
+  return fmt::format("{} ({})", shown_title(title), to_text(payoffs));
+}
 
 void note_unusual_payoffs(const ChosenGame& game, const Common& common) {
   if (game.from_file) return;

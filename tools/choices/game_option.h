@@ -30,6 +30,9 @@ ChosenGame chosen_game(const po::variables_map& values);
 /// A game's title as text and pictures show it, on one line: its first 200 characters.
 std::string shown_title(const std::string& title);
 
+/// The game as lines of text and captions name it: "prisoner's dilemma (T=5,R=3,P=1,S=0)".
+std::string game_words(const std::string& title, const Payoffs& payoffs);
+
 /// Says on stderr where a dilemma from --payoffs rewards taking turns to defect.
 void note_unusual_payoffs(const ChosenGame& game, const Common& common);
 

@@ -4,9 +4,6 @@
 #include <folk/tools/program/table.h>
 
 #include <fmt/format.h>
-#include <folk/analysis/pictures/invasion_drawing.h>
-#include <folk/analysis/pictures/render.h>
-#include <folk/games/error.h>
 
 #include <algorithm>
 #include <vector>
@@ -115,21 +112,6 @@ void write_invasion_json(std::ostream& out, const Invasions& invasions) {
     out << (i == 0 ? "\n      \"" : ",\n      \"") << row << '"';
   }
   out << "\n    ]\n  }";
-}
-
-void draw_invasion(const std::filesystem::path& path, const Tournament& tournament, const Invasions& invasions,
-                   const std::string& title) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < tournament.size(); ++i) names.push_back(tournament.name(i));
-  render_dot(to_dot(invasions, names, title), path,
-             path.extension() == ".png" ? PictureFormat::png : PictureFormat::svg);
-}
-
-void require_invasion_drawing(std::size_t strategies) {
-  if (strategies > most_drawn_invasions)
-    throw UsageError(fmt::format("--invasion --plot: {} strategies are too many for a graph: at most {}", strategies,
-                                 most_drawn_invasions));
-  run_renderer({"dot", "-V"}, "", "graphviz");
 }
 
 }  // namespace folk::tools

@@ -1,10 +1,9 @@
 #pragma once
-// Who can invade whom in a finished tournament, as text, CSV, JSON and a graph.
+// Who can invade whom in a finished tournament, as text, CSV and JSON.
 
 #include <folk/analysis/evolution/invasion.h>
 #include <folk/analysis/tournament/tournament.h>
 
-#include <filesystem>
 #include <ostream>
 #include <string>
 
@@ -22,12 +21,5 @@ void write_invasion_csv(std::ostream& out, const Tournament& tournament, const I
 
 /// The member "invasion" of a tournament's JSON object, a comma before it; in roster order.
 void write_invasion_json(std::ostream& out, const Invasions& invasions);
-
-/// Draws who invades whom; the format is svg or png.
-void draw_invasion(const std::filesystem::path& path, const Tournament& tournament, const Invasions& invasions,
-                   const std::string& title);
-
-/// Throws what draw_invasion would before anything is played: UsageError on too many strategies, RendererMissing.
-void require_invasion_drawing(std::size_t strategies);
 
 }  // namespace folk::tools

@@ -7,16 +7,18 @@
 #include <folk/tools/ipd_tournament/classes.h>
 #include <folk/tools/ipd_tournament/invasion_output.h>
 #include <folk/tools/ipd_tournament/output.h>
+#include <folk/tools/ipd_tournament/pictures.h>
 #include <folk/tools/program/output_folder.h>
 #include <folk/tools/program/program.h>
 #include <folk/tools/program/progress.h>
 #include <folk/tools/program/threads_option.h>
 
 #include <fmt/format.h>
-#include <folk/analysis/pictures/plots.h>
 #include <folk/games/error.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <functional>
 #include <iostream>
 #include <optional>
@@ -63,20 +65,49 @@ Program program() {
       "folder for ranking.csv, scores.csv, cooperation.csv, pairs.csv, summary.json, and beliefs.csv, invasion.csv "
       "where "
       "there are any");
-  add("plot", text()->implicit_value("svg"), "svg or png: also draw payoffs, cooperation and scores into --output");
+  add("plot", text()->implicit_value("svg"),
+      "svg, png or pdf: also draw payoffs, cooperation, scores (and the invasions) into --output");
+  add("scale", text(), "payoffs a round of the end colours of payoffs, a heat map, so that two can be compared");
   return program;
 }
 
-/// svg, png or nothing, once it is clear that so many strategies can be drawn here.
-std::optional<std::string> picture_extension(const po::variables_map& values, std::size_t strategies) {
-  if (values.count("plot") == 0) return std::nullopt;
+/// The MIN,MAX of --scale, if it is given.
+std::optional<std::array<double, 2>> chosen_scale(const po::variables_map& values) {
+  if (values.count("scale") == 0) return std::nullopt;
+  const std::string text = text_option(values, "scale");
+  const auto refused = [&] {
+    return UsageError(fmt::format(
+        "--scale '{}': expected MIN,MAX, two finite numbers, the second the greater, as in 0,5", excerpt(text)));
+  };
+  const auto comma = text.find(',');
+  if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos) throw refused();
+  constexpr double largest = 1e15;
+  std::array<double, 2> scale{};
+  try {
+    scale = {parse_number(text.substr(0, comma), "--scale", -largest, largest),
+             parse_number(text.substr(comma + 1), "--scale", -largest, largest)};
+  } catch (const UsageError&) {
+    throw refused();
+  }
+  // Nearer ends than this no colour tells apart, nor gnuplot.
+  const double least = 1e-9 * std::max(std::abs(scale[0]), std::abs(scale[1]));
+  if (!(scale[1] - scale[0] > least)) throw refused();
+  return scale;
+}
+
+/// How pictures are drawn, if they are, once it is clear that so many strategies can be drawn here.
+std::optional<PictureChoice> chosen_pictures(const po::variables_map& values, std::size_t strategies) {
+  const auto scale = chosen_scale(values);
+  if (values.count("plot") == 0) {
+    if (scale) throw UsageError("--scale is about the heat map of payoffs: draw it with --plot --output DIR");
+    return std::nullopt;
+  }
   const auto extension = text_option(values, "plot");
-  if (extension != "svg" && extension != "png")
-    throw UsageError(fmt::format("--plot '{}': expected svg or png", extension));
+  if (extension != "svg" && extension != "png" && extension != "pdf")
+    throw UsageError(fmt::format("--plot '{}': expected svg, png or pdf", extension));
   if (values.count("output") == 0) throw UsageError("--plot needs a folder for its pictures: give --output DIR");
-  require_plotter(strategies);
-  if (values.count("invasion") != 0) require_invasion_drawing(strategies);
-  return extension;
+  require_pictures(strategies, values.count("invasion") != 0);
+  return PictureChoice{extension, scale};
 }
 
 int tournament(const po::variables_map& values, const Common& common) {
@@ -96,7 +127,7 @@ int tournament(const po::variables_map& values, const Common& common) {
   if (values.count("invasion") != 0 && !settings.self_play)
     throw UsageError("--invasion needs what each earns against its own copy: leave out --no-self-play");
   auto [entrants, core] = chosen_field(values, game.payoffs);
-  const auto extension = picture_extension(values, entrants.size());
+  const auto pictures = chosen_pictures(values, entrants.size());
   const auto folder = output_folder(values);
   note_unusual_payoffs(game, common);
 
@@ -110,10 +141,7 @@ int tournament(const po::variables_map& values, const Common& common) {
   const Invasions* invasions = found ? &*found : nullptr;
   if (folder) {
     write_files(*folder, result, labels, invasions);
-    if (extension) draw_pictures(*folder, result, *extension);
-    if (extension && invasions != nullptr)
-      draw_invasion(*folder / ("invasion." + *extension), result, *invasions,
-                    fmt::format("{}, {}", labels.roster, settings.criterion.to_string()));
+    if (pictures) draw_pictures(*folder, result, labels, invasions, *pictures);
   }
   switch (common.format) {
     case Format::text:

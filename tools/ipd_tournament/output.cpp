@@ -7,7 +7,6 @@
 #include <folk/tools/program/table.h>
 
 #include <fmt/format.h>
-#include <folk/analysis/pictures/plots.h>
 #include <folk/games/error.h>
 #include <folk/games/text_file.h>
 
@@ -16,7 +15,6 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <system_error>
 #include <vector>
 
@@ -61,8 +59,8 @@ std::string figures(const RankingEntry& entry, std::size_t pairs) {
 std::string settings_line(const Tournament& tournament, const TournamentLabels& labels) {
   const auto& settings = tournament.settings();
   std::string text =
-      fmt::format("game {} ({}), {}, noise {}, self-play {}, seed {}", shown_title(labels.game),
-                  to_text(settings.payoffs), settings.criterion.to_string(), settings.noise.probability(),
+      fmt::format("game {}, {}, noise {}, self-play {}, seed {}", game_words(labels.game, settings.payoffs),
+                  settings.criterion.to_string(), settings.noise.probability(),
                   settings.self_play ? "included" : "left out", settings.seed);
   if (sampled(tournament)) text += fmt::format(", repetitions {}", settings.repetitions.count());
   return text;
@@ -291,28 +289,6 @@ void write_files(const fs::path& folder, const Tournament& tournament, const Tou
     write_file(folder / "invasion.csv", [&](std::ostream& out) { write_invasion_csv(out, tournament, *invasions); });
   write_file(folder / "summary.json",
              [&](std::ostream& out) { write_json(out, tournament, labels, false, invasions); });
-}
-
-void draw_pictures(const fs::path& folder, const Tournament& tournament, const std::string& extension) {
-  const double weight = tournament.settings().criterion.total_weight();
-  std::vector<std::string> names;
-  for (const auto& entry : tournament.ranking()) names.push_back(tournament.name(entry.entrant));
-  const auto entrant = [&](std::size_t place) { return tournament.ranking()[place].entrant; };
-  const auto a_round = [&](auto figure) {
-    return [&tournament, entrant, figure, weight](std::size_t row, std::size_t column) {
-      const std::size_t i = entrant(row);
-      const std::size_t j = entrant(column);
-      return tournament.played(i, j) ? figure(i, j) / weight : std::numeric_limits<double>::quiet_NaN();
-    };
-  };
-  const auto score = a_round([&](std::size_t i, std::size_t j) { return tournament.score(i, j); });
-  const auto cooperation = a_round([&](std::size_t i, std::size_t j) { return tournament.cooperation(i, j); });
-  draw(HeatMap{names, score, "Payoff a round, row against column", "payoff a round", std::nullopt},
-       folder / ("payoffs." + extension));
-  draw(HeatMap{names, cooperation, "Cooperation rate, row against column", "share of C",
-               std::array<double, 2>{0.0, 1.0}},
-       folder / ("cooperation." + extension));
-  draw(BoxPlot{names, score, "Payoff a round over all opponents", "payoff a round"}, folder / ("scores." + extension));
 }
 
 }  // namespace folk::tools

@@ -1,5 +1,5 @@
 #pragma once
-// A finished tournament as text, CSV, JSON, files and pictures.
+// A finished tournament as text, CSV, JSON and files.
 
 #include <folk/analysis/evolution/invasion.h>
 #include <folk/analysis/tournament/tournament.h>
@@ -39,8 +39,5 @@ inline constexpr std::size_t most_listed_pairs = 1000;
 /// when the folder cannot be made or written.
 void write_files(const std::filesystem::path& folder, const Tournament& tournament, const TournamentLabels& labels,
                  const Invasions* invasions);
-
-/// payoffs, cooperation and scores pictures in `folder`; `extension` is svg or png.
-void draw_pictures(const std::filesystem::path& folder, const Tournament& tournament, const std::string& extension);
 
 }  // namespace folk::tools

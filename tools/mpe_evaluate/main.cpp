@@ -68,7 +68,7 @@ Program mpe_evaluate() {
   add("force-beliefs", "play again with its beliefs forced to the truth, to another episode's, to zero");
   add("output", text(), "folder for results.csv, results.json, episodes.csv");
   add("record", text(), "write one episode, step by step, to FILE.csv");
-  add("render", text(), "draw one episode: FILE.svg (animated) or FILE.png (a filmstrip)");
+  add("render", text(), "draw one episode: FILE.svg (animated), FILE.png or FILE.pdf (a filmstrip)");
   add("episode", text(), "which one is recorded and drawn, counted from 0 (default 0)");
   add("replay", text(), "play the recorded episodes of FILE.csv[,FILE2.csv,...] again and compare");
   add("free-run", "replay whole episodes from their first states, not each step from its own");

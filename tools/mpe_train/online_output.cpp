@@ -104,6 +104,9 @@ void write_evaluations(std::ostream& out, const std::vector<mpe::OnlineEvaluatio
 void draw_evaluations(const mpe::OnlineTraining& training, std::size_t kept, const std::filesystem::path& picture) {
   mpe::LearningCurvePlot plot;
   plot.title = title_of(training);
+  plot.caption = {training.scenario().name,
+                  fmt::format("means of {} episodes of {} steps", training.settings().evaluation_episodes,
+                              training.scenario().episode_steps)};
   mpe::LearningCurve predators{"predators", {}, {}};
   mpe::LearningCurve prey{"prey", {}, {}};
   for (const auto& evaluation : training.history()) {

@@ -50,12 +50,17 @@ void draw_picture(const std::filesystem::path& path, const RegionReport& report)
   plot.pure_minmax = numbers(report.region.pure_minmax());
   plot.mixed_minmax = numbers(report.region.mixed_minmax());
   plot.outcomes = outcomes_of(report.game);
+  plot.caption.game = shown_title(report.title);
   if (report.set) {
+    plot.caption.criterion = Criterion::discounted(report.set->discount).to_string();
     plot.equilibria = report.set->corners;
     plot.equilibria_name = fmt::format("{}pure-strategy equilibria at d = {}", report.set->corners.empty() ? "no " : "",
                                        report.set->discount);
   }
   if (report.tournament) {
+    const std::string pairs = "pairs " + report.tournament->criterion;
+    plot.caption.criterion += plot.caption.criterion.empty() ? pairs : ", " + pairs;
+    plot.caption.noise = report.tournament->noise;
     for (const auto& pair : report.tournament->pairs) plot.dots.push_back(pair.payoffs);
     plot.dots_name = fmt::format("{} pairs of a tournament", report.tournament->pairs.size());
   }

@@ -35,6 +35,7 @@ constexpr std::array all_values{
     Values{"T=,R=,P=,S=", " payoffs "},
     Values{"CRITERION", " criterion "},
     Values{"FORMAT", " format plot "},
+    Values{"MIN,MAX", " scale "},
     Values{"PLAYER", " predators prey "},
     Values{"LIST", " targets mpe-train_study_only mpe-train_study_seeds seeds mark start "},
     Values{

@@ -135,7 +135,7 @@ Html body_of(const SceQuestion& question, const SceReport& report, const Picture
 }  // namespace
 
 std::string html_page(const SceQuestion& question, const SceReport& report) {
-  const Pictures pictures;
+  const Pictures pictures({game_words(question.game.title, question.payoffs), question.criterion.to_string()});
   const Html head = Html::markup(
                         "<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, "
                         "initial-scale=1\">\n") +

@@ -1,8 +1,8 @@
 #include <folk/tools/sce_check/pictures.h>
 
 #include <fmt/format.h>
+#include <folk/analysis/pictures/automaton_picture.h>
 #include <folk/analysis/pictures/belief_plots.h>
-#include <folk/analysis/pictures/drawing.h>
 #include <folk/analysis/pictures/plots.h>
 #include <folk/analysis/pictures/render.h>
 #include <folk/games/error.h>
@@ -13,6 +13,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <system_error>
+#include <utility>
 
 namespace folk::tools {
 namespace {
@@ -34,7 +35,8 @@ Html remark(const std::string& words) { return element_of("p", "missing", words)
 
 }  // namespace
 
-Pictures::Pictures() {
+Pictures::Pictures(Caption caption)
+    : caption_(std::move(caption)) {
   std::error_code error;
   const fs::path base = fs::temp_directory_path(error);
   if (error) throw EnvironmentError(fmt::format("no folder for temporary files: {}; set TMPDIR", error.message()));
@@ -68,7 +70,7 @@ Html Pictures::beliefs(const OpponentReport& report, const std::string& policy) 
   if (!report.record || !report.belief || report.record->matches.empty()) return {};
   const auto& matches = report.record->matches;
   // Names may be whole command lines: the section's heading has room for them, a picture has not.
-  BeliefPathPlot plot{matches.front(), "Belief and the moves that were played"};
+  BeliefPathPlot plot{matches.front(), "Belief and the moves that were played", caption_};
   if (matches.size() > 1) plot.title += fmt::format(", match 1 of {}", matches.size());
   if (plot.match.size() > most_drawn_rounds) plot.title += fmt::format(", first {} rounds", most_drawn_rounds);
   return picture("wide", fmt::format("{}: {} about {}", plot.title, policy, report.opponent),
@@ -77,7 +79,7 @@ Html Pictures::beliefs(const OpponentReport& report, const std::string& policy) 
 
 Html Pictures::accuracy(const SceReport& report) const {
   if (!report.belief) return {};
-  AccuracyPlot plot{{}, {}, "Accuracy of beliefs by opponent"};
+  AccuracyPlot plot{{}, {}, "Accuracy of beliefs by opponent", caption_};
   for (const auto& opponent : report.opponents) {
     plot.names.push_back(opponent.opponent);
     plot.shares.push_back(opponent.belief ? opponent.belief->accuracy() : std::nullopt);
@@ -89,7 +91,7 @@ Html Pictures::accuracy(const SceReport& report) const {
 
 Html Pictures::calibration(const SceReport& report) const {
   if (!report.belief) return {};
-  const CalibrationPlot plot{report.belief->bins, "Calibration of beliefs"};
+  const CalibrationPlot plot{report.belief->bins, "Calibration of beliefs", caption_};
   return picture("plot", plot.title + ": how often C was played when it was believed in so much",
                  [&](const fs::path& path) { draw(plot, path); });
 }
@@ -101,10 +103,12 @@ Html Pictures::machine(const std::string& name, const Machine& machine) const {
   if (!table)
     return remark(fmt::format("{} has {} states: too many to draw", name,
                               machine.finite() ? fmt::format("over {}", most_searched) : "infinitely many"));
-  return automaton(name, minimise(*table, sense), sense);
+  const Automaton smallest = minimise(*table, sense);
+  return automaton(name, smallest, sense, names_behind(smallest, machine, sense));
 }
 
-Html Pictures::automaton(const std::string& name, const Automaton& automaton, Sense sense) const {
+Html Pictures::automaton(const std::string& name, const Automaton& automaton, Sense sense,
+                         std::vector<std::vector<std::string>> state_names) const {
   if (automaton.size() > most_drawn_states)
     return remark(fmt::format("{} has {} states: too many to draw", name, automaton.size()));
   // A large one would be too small to read at the width of the page: it scrolls.
@@ -113,7 +117,7 @@ Html Pictures::automaton(const std::string& name, const Automaton& automaton, Se
       css_class,
       fmt::format("{} as an automaton of {} state{}", name, automaton.size(), automaton.size() == 1 ? "" : "s"),
       [&](const fs::path& path) {
-        render_dot(to_dot(automaton, {name, sense, 0}), path, PictureFormat::svg);
+        draw_automaton(automaton, {name, sense, 0, state_names, {}}, path, PictureFormat::svg);
       });
 }
 

@@ -1,8 +1,7 @@
 // strategy-graph: a strategy drawn as an automaton.
 
 #include <fmt/format.h>
-#include <folk/analysis/pictures/drawing.h>
-#include <folk/analysis/pictures/render.h>
+#include <folk/analysis/pictures/automaton_picture.h>
 #include <folk/games/error.h>
 #include <folk/games/text_file.h>
 
@@ -11,6 +10,7 @@
 #include <optional>
 
 #include <folk/tools/choices/chosen_machine.h>
+#include <folk/tools/choices/game_option.h>
 #include <folk/tools/choices/standard_names.h>
 #include <folk/tools/program/program.h>
 
@@ -80,7 +80,7 @@ Program strategy_graph() {
   program.summary =
       "Draws a strategy as its smallest automaton: a circle is a state and holds its move, edges are labelled with\n"
       "their move, or with own/their moves where own moves matter. NAME is a strategy (see ipd-strategies list),\n"
-      "@FILE or @FILE#MACHINE. Without -o the drawing is printed as DOT.";
+      "@FILE or @FILE#MACHINE, whose states keep their names. Without -o the drawing is printed as DOT.";
   program.examples = {"strategy-graph pavlov -o pavlov.svg", "strategy-graph spiteful --any-own-moves -o spiteful.pdf",
                       "strategy-graph gradual --horizon 6 -o gradual.png",
                       "strategy-graph '@examples/my_strategies.machines#slow_pavlov' -o slow_pavlov.svg"};
@@ -106,13 +106,15 @@ int draw(const po::variables_map& values, const Common&) {
       chosen_machine(standard_names(), name, payoffs.empty() ? Payoffs{} : parse_payoffs(payoffs), "drawn");
 
   const Automaton automaton = drawn_automaton(strategy.name, *strategy.machine, sense, horizon);
-  const std::string dot = to_dot(automaton, {strategy.name, sense, horizon});
+  DrawingOptions drawing{strategy.name, sense, horizon, names_behind(automaton, *strategy.machine, sense)};
+  // An automaton has no game, but what it is may have been computed from one.
+  if (!payoffs.empty()) drawing.caption.game = game_words("prisoner's dilemma", parse_payoffs(payoffs));
   if (!output)
-    std::cout << dot;
+    std::cout << to_dot(automaton, drawing);
   else if (output->format)
-    render_dot(dot, output->path, *output->format);
+    draw_automaton(automaton, drawing, output->path, *output->format);
   else
-    write_file(output->path, dot);
+    write_file(output->path, to_dot(automaton, drawing));
   return done;
 }
 

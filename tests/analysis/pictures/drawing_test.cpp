@@ -79,6 +79,26 @@ TEST(Drawing, PastTheHorizonIsAnEllipsisWithoutEdges) {
   EXPECT_FALSE(contains(dot, "dashed"));
 }
 
+TEST(Drawing, StatesKeepTheNamesThatTheirAuthorGaveThem) {
+  DrawingOptions options{"pavlov", its_own};
+  options.state_names = {{"calm"}, {"angry", "a<b", "third", "fourth", "fifth"}};
+  const std::string dot = to_dot(pavlov(), options);
+  EXPECT_TRUE(contains(dot, "s0 [label=<C<BR/><FONT POINT-SIZE=\"11\">calm</FONT>>, fillcolor"));
+  EXPECT_TRUE(contains(dot, "D<BR/><FONT POINT-SIZE=\"11\">angry</FONT><BR/><FONT POINT-SIZE=\"11\">a&lt;b</FONT>"));
+  EXPECT_TRUE(contains(dot, "and 2 more"));
+  EXPECT_TRUE(contains(dot, "shape=circle"));
+  options.state_names = {{"a_name_that_no_circle_holds"}, {}};
+  EXPECT_TRUE(contains(to_dot(pavlov(), options), "shape=ellipse"));
+  EXPECT_TRUE(contains(to_dot(pavlov(), options), "s1 [label=\"D\""));
+}
+
+TEST(Drawing, TheCaptionSaysWhatApplies) {
+  DrawingOptions options{"zd", its_own};
+  EXPECT_TRUE(contains(to_dot(pavlov(), options), "own moves its own\\nFolk "));
+  options.caption.game = "prisoner's \"dilemma\"";
+  EXPECT_TRUE(contains(to_dot(pavlov(), options), "\\nprisoner's \\\"dilemma\\\" · Folk "));
+}
+
 TEST(Drawing, TextIsDrawn) { EXPECT_EQ(dot_text("a\x1b[31m\xC2\x9B caf\xE9"), R"(a\\x1b[31m\\u{9b} caf\\xe9)"); }
 
 TEST(Drawing, TextIsEscaped) {

@@ -132,6 +132,28 @@ TEST(HeatMap, a_given_range_is_kept) {
   EXPECT_TRUE(has(heat_map_script(map, PictureFormat::svg), "set cbrange [0:1]"));
   map.range = {0, std::nan("")};
   EXPECT_THROW(heat_map_script(map, PictureFormat::svg), UsageError);
+  for (const auto& wrong :
+       {std::array<double, 2>{1, 1}, std::array<double, 2>{2, 1}, std::array<double, 2>{0, INFINITY}}) {
+    map.range = wrong;
+    EXPECT_THROW(heat_map_script(map, PictureFormat::svg), UsageError);
+  }
+}
+
+TEST(HeatMap, says_where_values_lie_beyond_its_range) {
+  HeatMap map = small_map();
+  map.range = {0, 23};
+  EXPECT_FALSE(has(heat_map_script(map, PictureFormat::svg), "beyond"));
+  map.range = {0, 22};
+  EXPECT_TRUE(has(heat_map_script(map, PictureFormat::svg), "'points (beyond: the end''s colour)'"));
+}
+
+TEST(Plots, captions_stand_in_every_script) {
+  HeatMap map = small_map();
+  map.caption = {"chicken", "mean", 0.5};
+  EXPECT_TRUE(has(heat_map_script(map, PictureFormat::svg), "'chicken · mean · noise 0.5 · Folk "));
+  BoxPlot boxes = small_boxes();
+  boxes.caption = map.caption;
+  EXPECT_TRUE(has(box_plot_script(boxes, PictureFormat::svg), "'chicken · mean · noise 0.5 · Folk "));
 }
 
 TEST(HeatMap, one_value_throughout_still_has_a_range) {
@@ -215,6 +237,8 @@ TEST(Plots, gnuplot_draws_every_kind) {
   EXPECT_EQ(folder.files(), 5U);
   const std::string svg = content(folder / "map.svg");
   EXPECT_TRUE(has(svg, "</svg>"));
+  EXPECT_TRUE(has(svg, "<title>Scores</title>"));
+  EXPECT_FALSE(has(svg, "<title>Gnuplot</title>"));
   EXPECT_TRUE(has(svg, "<text>it's</text>"));
   EXPECT_TRUE(has(svg, "<text>50%d</text>"));
   EXPECT_TRUE(has(svg, "<text>`date`</text>"));

@@ -89,10 +89,20 @@ TEST_F(DrawEpisode, PngIsTheFilmstripWhateverTheNames) {
   EXPECT_GT(png.size(), 20'000U);
 }
 
+TEST_F(DrawEpisode, PdfIsTheFilmstripToo) {
+  const fs::path path = folder_ / "a.pdf";
+  try {
+    draw_episode(sample_episode(), path);
+  } catch (const RendererMissing&) {
+    GTEST_SKIP() << "gnuplot is not installed";
+  }
+  EXPECT_EQ(read_text_file(path).substr(1, 3), "PDF");
+}
+
 TEST_F(DrawEpisode, RefusesOtherEndings) {
-  for (const char* name : {"a.gif", "a", "a.SVG", "a.pdf", ".svg", ""}) {
+  for (const char* name : {"a.gif", "a", "a.SVG", "a.PDF", "a.pdfx", ".svg", ".pdf", ""}) {
     expect_error<UsageError>([&] { require_drawable(folder_ / name); },
-                             "ends in .svg (animated) or .png (a filmstrip)");
+                             "ends in .svg (animated), .png or .pdf (a filmstrip)");
     expect_error<UsageError>([&] { draw_episode(sample_episode(), folder_ / name); }, "ends in .svg");
   }
   EXPECT_EQ(files(), 0U);

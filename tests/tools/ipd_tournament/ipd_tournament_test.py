@@ -12,6 +12,7 @@ import subprocess
 import tempfile
 import unittest
 from pathlib import Path
+from xml.etree import ElementTree
 
 PROGRAM = Path(os.environ["FOLK_BIN"]) / "ipd-tournament"
 TREE = Path(__file__).resolve().parents[3]
@@ -526,12 +527,60 @@ class Files(unittest.TestCase):
 
     @unittest.skipUnless(shutil.which("gnuplot"), "gnuplot is not installed")
     def test_pictures(self):
-        for plot, extension, magic in (("--plot", "svg", b"<?xml"), ("--plot=png", "png", b"\x89PNG")):
+        for plot, extension, magic in (("--plot", "svg", b"<?xml"), ("--plot=png", "png", b"\x89PNG"),
+                                       ("--plot=pdf", "pdf", b"%PDF")):
             output("--output", str(self.folder), plot)
             for name in ("payoffs", "cooperation", "scores"):
                 picture = (self.folder / f"{name}.{extension}").read_bytes()
                 self.assertTrue(picture.startswith(magic))
-        self.assertEqual(len(list(self.folder.iterdir())), 5 + 6)
+        self.assertEqual(len(list(self.folder.iterdir())), 5 + 9)
+
+    @unittest.skipUnless(shutil.which("gnuplot") and shutil.which("dot"), "gnuplot or Graphviz is not installed")
+    def test_every_picture_says_what_was_played(self):
+        """Also the graph and the matrix of invasions, and by its own title."""
+        version = run("--version").stdout.split("(")[1].split(")")[0]
+        titles = {"payoffs": "Payoff a round", "cooperation": "Cooperation rate", "scores": "Payoff a round over", "invasion": "Who can"}
+        for roster in ("all_c,all_d,pavlov", "classics"):
+            output("--strategies", roster, "--noise", "0.01", "--criterion", "discounted:0.9", "--payoffs", "T=4,R=3,P=1,S=0",
+                   "--repetitions", "2", "--invasion", "--output", str(self.folder), "--plot")
+            for name, title in titles.items():
+                root = ElementTree.parse(self.folder / f"{name}.svg").getroot()
+                said = "\n".join(text.strip() for text in root.itertext() if text.strip())  # a small picture's caption has two lines
+                self.assertRegex(said, rf"prisoner's dilemma \(T=4,R=3,P=1,S=0\)( · |\n)discounted:0.9 · noise 0.01 · {version}")
+                self.assertIn(title, said)
+                self.assertNotIn("Gnuplot", said)
+        output("--strategies", "all_c,all_d", "--output", str(self.folder), "--plot")
+        said = (self.folder / "payoffs.svg").read_text()
+        self.assertIn("<title>Payoff a round, row against column</title>", said)
+        self.assertIn(f"finite:100 · {version}", said)
+        self.assertNotIn("noise", said)
+
+    @unittest.skipUnless(shutil.which("gnuplot") and shutil.which("dot"), "gnuplot or Graphviz is not installed")
+    def test_many_are_drawn_as_a_matrix_of_invasions(self):
+        for count, drawn in ((16, "its colour only tells it"), (17, "mutant")):
+            roster = ",".join(f"per_{'c' * i}d" for i in range(1, count + 1))
+            output("--strategies", roster, "--invasion", "--rounds", "7", "--output", str(self.folder), "--plot")
+            self.assertIn(drawn, (self.folder / "invasion.svg").read_text())
+
+    @unittest.skipUnless(shutil.which("gnuplot"), "gnuplot is not installed")
+    def test_a_scale_is_kept(self):
+        few = ("--strategies", "all_c,all_d", "--output", str(self.folder), "--plot")
+        output(*few, "--scale", "-1/2,7.5")
+        picture = (self.folder / "payoffs.svg").read_text()
+        self.assertTrue("<text>7</text>" in picture and "beyond" not in picture)
+        output(*few, "--scale", "0,4")
+        self.assertIn("beyond: the end", (self.folder / "payoffs.svg").read_text())
+
+    def test_what_is_no_scale(self):
+        for scale in ("1", "1,2,3", "2,1", "1,1", "a,b", "nan,1", "0,inf", ",", "1,", "1e999,2", "0,1e16", "1,1.0000000001"):
+            done = run("--plot", "--output", str(self.folder / "none"), f"--scale={scale}")
+            self.assertEqual((done.returncode, done.stdout), (2, ""), scale)
+            self.assertEqual(done.stderr, f"ipd-tournament: --scale '{scale}': expected MIN,MAX, two finite numbers, the second the "
+                             "greater, as in 0,5\n")
+        done = run("--strategies", "all_c", "--scale", "0,5")
+        self.assertEqual(done.stderr, "ipd-tournament: --scale is about the heat map of payoffs: draw it with --plot --output DIR\n")
+        self.assertEqual(done.returncode, 2)
+        self.assertFalse((self.folder / "none").exists())
 
     @unittest.skipUnless(shutil.which("gnuplot"), "gnuplot is not installed")
     def test_a_picture_of_two_without_self_play(self):

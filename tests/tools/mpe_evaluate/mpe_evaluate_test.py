@@ -255,6 +255,15 @@ class Episodes(InAFolder):
         other = self.folder / "other.svg"
         run("--predators", "lead_pursuit", "--episodes", "2", "--render", other)
         self.assertNotEqual(picture.read_text(), other.read_text())
+        self.assertIn(">simple_tag · 25 steps · Folk ", picture.read_text())
+
+    @unittest.skipUnless(shutil.which("gnuplot"), "gnuplot is not installed")
+    def test_an_episode_is_drawn_as_a_strip(self):
+        for extension, magic in (("png", b"\x89PNG"), ("pdf", b"%PDF")):
+            picture = self.folder / f"episode.{extension}"
+            done = run("--predators", "lead_pursuit", "--episodes", "1", "--render", picture)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertTrue(picture.read_bytes().startswith(magic))
 
     def test_a_program_on_a_pipe(self):
         script = self.folder / "pusher.py"
@@ -413,7 +422,7 @@ class Refusals(InAFolder):
             self.refused(2, *enough, "--prey", "still,random", option, file, says=(option, "a single --prey"))
             self.refused(2, *enough, option, file, "--episode", "100", says=("--episode", "from 0 to 99"))
         self.refused(2, *enough, "--record", "x.svg", "--render", "x.svg", says="the same file")
-        self.refused(2, *enough, "--render", str(self.folder / "x.gif"), says=(".svg", ".png"))
+        self.refused(2, *enough, "--render", str(self.folder / "x.gif"), says=(".svg", ".png", ".pdf"))
         self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_tolerances(self):

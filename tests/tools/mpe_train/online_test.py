@@ -147,7 +147,7 @@ class MpeTrainTest(unittest.TestCase):
         run = draw("a.csv", "b.csv", "--output", "c.svg", "--mark", "published=185.6", "--title", "two")
         self.assertEqual((run.returncode, run.stderr), (0, ""))
         picture = (self.folder / "c.svg").read_text()
-        for words in (">a<", ">b<", "published (185.6)", ">two<"):
+        for words in (">a<", ">b<", "published (185.6)", ">two<", "<title>two</title>", ">Folk 0."):
             self.assertIn(words, picture.replace("</tspan>", "<").replace("\n", ""))
         (self.folder / "broken.csv").write_text(rows + "1280,nan,3\n")
         (self.folder / "back.csv").write_text(rows + "640,1,3\n")

@@ -180,6 +180,8 @@ class Whole(Study):
             pictures = sorted((self.whole / "pictures").glob("*.svg"))
             self.assertEqual((len(pictures), page.tags.count("img")), (14, 14))
             self.assertTrue(all("</svg>" in path.read_text() for path in pictures))
+            self.assertTrue(all(" · budget smoke · Folk " in path.read_text() for path in pictures))
+            self.assertFalse(any("<title>Gnuplot" in path.read_text() for path in pictures))
 
     def test_what_is_done_is_not_done_again(self):
         before, times = files(self.whole), {path: path.stat().st_mtime_ns for path in (self.whole / "records").iterdir()}

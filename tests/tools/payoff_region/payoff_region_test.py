@@ -142,7 +142,9 @@ class Pictures(unittest.TestCase):
                 self.assertTrue(path.read_bytes().startswith(magic))
             self.assertEqual(len(list(Path(folder).iterdir())), 3)
             svg = (Path(folder) / "region.svg").read_text()
-        for name in ("payoff of Row", "pure-strategy equilibria at d = 0.6", "mixed minmax point", "153 pairs"):
+        for name in ("payoff of Row", "pure-strategy equilibria at d = 0.6", "mixed minmax point", "153 pairs",
+                     "prisoner's dilemma (T=5,R=3,P=1,S=0) · discounted:0.6, pairs finite:100 · Folk ",
+                     "<title>prisoner's dilemma (T=5,R=3,P=1,S=0): payoffs a round</title>"):
             self.assertTrue(name in svg, name)
 
 

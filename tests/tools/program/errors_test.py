@@ -193,7 +193,7 @@ class WrongUsage(Errors):
 
     def test_pictures(self):
         self.refused(2, "--plot", says="--output DIR")
-        self.refused(2, "--plot=gif", "--output", str(self.folder), says="svg or png")
+        self.refused(2, "--plot=gif", "--output", str(self.folder), says="svg, png or pdf")
         if run("ipd-tournament", "--strategies", "all_c", "--plot", "--output", str(self.folder)).returncode == 0:
             results = self.folder / "results"
             self.refused(2, "--strategies", "memory(1,2)", "--plot", "--output", str(results), says="at most 300")

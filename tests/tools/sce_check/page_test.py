@@ -131,6 +131,11 @@ class Drawn(unittest.TestCase):
             self.assertIn("</svg>", picture)
         self.assertIn("all_d", pictures[0])
         self.assertIn("match 1 of 2", pictures[4])
+        for picture in pictures:
+            self.assertIn("Folk 0.", picture)
+            self.assertNotIn("<title>Gnuplot", picture)
+        for picture in pictures[:2] + pictures[2::2]:
+            self.assertRegex(picture, r"prisoner's dilemma \(T=5,R=3,P=1,S=0\) · finite:\d+ · Folk ")
 
     def test_the_extracted_automaton_is_drawn(self):
         found = page("sct", "--opponents", "all_c,all_d", "--rounds", ROUNDS, "--depth", "1", "--extract")

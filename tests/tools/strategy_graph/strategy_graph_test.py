@@ -1,6 +1,7 @@
 """strategy-graph as its user sees it: pictures, DOT text, refusals. FOLK_BIN names the folder of the programs."""
 
 import os
+import re
 import shutil
 import subprocess
 import tempfile
@@ -57,6 +58,39 @@ class Drawings(unittest.TestCase):
         path = self.folder / "two.machines"
         path.write_text("machine one\nc C c c\nmachine two\nd D d d\n")
         self.assertIn('digraph "two"', text(f"@{path}#two"))
+
+    MACHINES = ("machine three\ncalm C calm angry calm calm\nangry D calm angry angry wait\nwait D calm angry angry calm\n"
+                "machine twice\none C one two\ntwo D one also_two\nalso_two D one two\n")
+
+    def test_states_of_a_file_keep_their_names(self):
+        path = self.folder / "own.machines"
+        path.write_text(self.MACHINES)
+        drawing = text(f"@{path}#three")
+        for name in ("calm", "angry", "wait"):
+            self.assertEqual(drawing.count(f">{name}<"), 1, drawing)
+        drawing = text(f"@{path}#twice")  # two states that play alike are one, which has both names
+        self.assertRegex(drawing, r"s1 \[label=<D<BR/>.*two.*<BR/>.*also_two")
+        self.assertNotIn("FONT", text("pavlov"))
+
+    def test_the_caption_says_only_what_applies(self):
+        version = text("--version").split("(")[1].split(")")[0]
+        self.assertIn(f"own moves its own\\n{version}\"", text("pavlov"))
+        self.assertIn(f"\\nprisoner's dilemma (T=4,R=3,P=1,S=0) · {version}\"",
+                      text("zd_extort(3)", "--payoffs", "T=4,R=3,P=1,S=0"))
+
+    @unittest.skipUnless(shutil.which("dot"), "Graphviz is not installed")
+    def test_no_label_lies_under_an_edge(self):
+        """What is drawn later lies on top: the labels are, each on white."""
+        path = self.folder / "own.machines"
+        path.write_text(self.MACHINES)
+        for arguments in (("mem2", "--any-own-moves"), ("tf2t", "--any-own-moves"), ("gradual", "--horizon", "6"), ("all_d",),
+                          (f"@{path}#three", "--any-own-moves")):
+            text(*arguments, "-o", self.folder / "a.svg")
+            svg = (self.folder / "a.svg").read_text()
+            edges = len(re.findall(r" -> .*label=", text(*arguments)))
+            labels = re.findall(r'<g id="node\d+" class="node">\n<title>l\d+</title>\n<polygon fill="white"[^>]*/>\n<text ', svg)
+            self.assertEqual(len(labels), edges)
+            self.assertLess(svg.rfind('class="edge"'), svg.find("<title>l"))
 
     def refused(self, code, message, *arguments, **options):
         done = run(*arguments, **options)
