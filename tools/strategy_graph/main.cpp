@@ -73,6 +73,21 @@ Automaton drawn_automaton(const std::string& name, const Machine& machine, Sense
                "draw its first N rounds with --horizon N");
 }
 
+/// True when the strategy of this name would be another one in another dilemma: then its automaton has a game. Those of
+/// files have none, and the standard input can be read only once.
+bool depends_on_payoffs(const Machine& machine, const std::string& name, const Payoffs& payoffs) {
+  if (machine.deterministic() || name.find('@') != std::string::npos) return false;
+  Payoffs other = payoffs;
+  other.temptation += 1;
+  try {
+    const Strategy same_name = standard_names().make(name, other);
+    const auto table = [](const Machine& one) { return tabulate(one, Sense::any_own_moves, most_searched); };
+    return !same_name.machine || table(*same_name.machine) != table(machine);
+  } catch (const UsageError&) {
+    return true;  // there is none such in the other
+  }
+}
+
 Program strategy_graph() {
   Program program;
   program.name = "strategy-graph";
@@ -101,14 +116,14 @@ int draw(const po::variables_map& values, const Common&) {
   if (values.count("output") != 0) output = output_named(text_option(values, "output"));
   const auto horizon = static_cast<unsigned>(whole_option(values, "horizon", 0, 1, 100));
   const Sense sense = values.count("any-own-moves") != 0 ? Sense::any_own_moves : Sense::own_moves_its_own;
-  const std::string payoffs = text_option(values, "payoffs");
-  const Strategy strategy =
-      chosen_machine(standard_names(), name, payoffs.empty() ? Payoffs{} : parse_payoffs(payoffs), "drawn");
+  const std::string payoffs_text = text_option(values, "payoffs");
+  const Payoffs payoffs = payoffs_text.empty() ? Payoffs{} : parse_payoffs(payoffs_text);
+  const Strategy strategy = chosen_machine(standard_names(), name, payoffs, "drawn");
 
   const Automaton automaton = drawn_automaton(strategy.name, *strategy.machine, sense, horizon);
   DrawingOptions drawing{strategy.name, sense, horizon, names_behind(automaton, *strategy.machine, sense)};
-  // An automaton has no game, but what it is may have been computed from one.
-  if (!payoffs.empty()) drawing.caption.game = game_words("prisoner's dilemma", parse_payoffs(payoffs));
+  if (depends_on_payoffs(*strategy.machine, name, payoffs))
+    drawing.caption.game = game_words(ChosenGame{}.title, payoffs);
   if (!output)
     std::cout << to_dot(automaton, drawing);
   else if (output->format)

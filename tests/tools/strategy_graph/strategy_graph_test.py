@@ -77,6 +77,10 @@ class Drawings(unittest.TestCase):
         self.assertIn(f"own moves its own\\n{version}\"", text("pavlov"))
         self.assertIn(f"\\nprisoner's dilemma (T=4,R=3,P=1,S=0) · {version}\"",
                       text("zd_extort(3)", "--payoffs", "T=4,R=3,P=1,S=0"))
+        for name in ("zd_extort(3)", "equalizer(2)"):
+            self.assertIn(f"\\nprisoner's dilemma (T=5,R=3,P=1,S=0) · {version}\"", text(name))
+        for name in ("gtft(0.3)", "random(0.5)", "mem2"):
+            self.assertNotIn("dilemma", text(name, "--payoffs", "T=4,R=3,P=1,S=0"))
 
     @unittest.skipUnless(shutil.which("dot"), "Graphviz is not installed")
     def test_no_label_lies_under_an_edge(self):
