@@ -68,11 +68,16 @@ std::array<double, 2> colour_range(const HeatMap& map) {
   return range;
 }
 
-/// True when some value lies beyond the range.
+/// Below a map of which a value lies beyond the range.
+constexpr std::string_view beyond_note = "beyond the scale: the colour of its end";
+
+/// True when some value lies beyond the range by more than rounding.
 bool exceeds(const HeatMap& map, const std::array<double, 2>& range) {
+  const double room = 1e-9 * (range[1] - range[0]);
   for (std::size_t i = 0; i < map.names.size(); ++i)
     for (std::size_t j = 0; j < map.names.size(); ++j)
-      if (const double value = map.value(i, j); std::isfinite(value) && (value < range[0] || value > range[1]))
+      if (const double value = map.value(i, j);
+          std::isfinite(value) && (value < range[0] - room || value > range[1] + room))
         return true;
   return false;
 }
@@ -95,6 +100,10 @@ std::string number_format(const HeatMap& map) {
 Layout heat_map_layout(const HeatMap& map) {
   Layout layout = matrix_layout(map.names);
   layout.width = layout.right + 110;
+  if (exceeds(map, colour_range(map))) {
+    layout.width = std::max(layout.width, 14 + text_width(beyond_note, note_font) + 14);
+    layout.height += 12;
+  }
   return with_words(layout, map.title, map.caption);
 }
 
@@ -124,15 +133,18 @@ std::string cell_data(const HeatMap& map, const std::array<double, 2>& range) {
 }
 
 std::string heat_map_axes(const HeatMap& map, const Layout& layout, const std::array<double, 2>& range) {
+  const std::string note = fmt::format("font ',{}' textcolor rgb '#444444'\n", note_font);
   std::string text = palette() + matrix_axes(layout, map.names, "strategy", "against");
   text += fmt::format("set cbrange [{}:{}]\n", range[0], range[1]);
   text += "set object rectangle from graph 0,0 to graph 1,1 behind fillcolor rgb '#e4e4e4' fillstyle solid noborder\n";
   text +=
       fmt::format("set colorbox user origin {},{} size {},{}\n", layout.x(layout.right + 16), layout.y(layout.bottom),
                   layout.x(14), fmt::format("screen {:.6f}", (layout.bottom - layout.top) / layout.height));
-  text +=
-      fmt::format("set cbtics format '%g' scale 0.3 font ',{}' textcolor rgb 'black'\nset cblabel {} font ',12'\n",
-                  note_font, text_literal(exceeds(map, range) ? map.unit + " (beyond: the end's colour)" : map.unit));
+  text += fmt::format("set cbtics format '%g' scale 0.3 font ',{}' textcolor rgb 'black'\nset cblabel {} font ',12'\n",
+                      note_font, text_literal(map.unit));
+  if (exceeds(map, range))
+    text += fmt::format("set label {} at {},{} left {}", text_literal(beyond_note), layout.x(14),
+                        layout.y(layout.bottom + 18), note);
   return text;
 }
 

@@ -143,8 +143,10 @@ TEST(HeatMap, says_where_values_lie_beyond_its_range) {
   HeatMap map = small_map();
   map.range = {0, 23};
   EXPECT_FALSE(has(heat_map_script(map, PictureFormat::svg), "beyond"));
+  map.range = {0, 22.25 - 1e-12};  // a rounding of the largest value
+  EXPECT_FALSE(has(heat_map_script(map, PictureFormat::svg), "beyond"));
   map.range = {0, 22};
-  EXPECT_TRUE(has(heat_map_script(map, PictureFormat::svg), "'points (beyond: the end''s colour)'"));
+  EXPECT_TRUE(has(heat_map_script(map, PictureFormat::svg), "'beyond the scale: the colour of its end'"));
 }
 
 TEST(Plots, captions_stand_in_every_script) {

@@ -569,7 +569,7 @@ class Files(unittest.TestCase):
         picture = (self.folder / "payoffs.svg").read_text()
         self.assertTrue("<text>7</text>" in picture and "beyond" not in picture)
         output(*few, "--scale", "0,4")
-        self.assertIn("beyond: the end", (self.folder / "payoffs.svg").read_text())
+        self.assertIn("beyond the scale: the colour of its end", (self.folder / "payoffs.svg").read_text())
 
     def test_what_is_no_scale(self):
         for scale in ("1", "1,2,3", "2,1", "1,1", "a,b", "nan,1", "0,inf", ",", "1,", "1e999,2", "0,1e16", "1,1.0000000001"):
