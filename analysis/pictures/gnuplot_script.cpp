@@ -93,6 +93,9 @@ constexpr double words_margin = 14;
 
 constexpr double caption_row = 15;
 
+/// A wider title loses its middle; an SVG's own has all of it.
+constexpr double widest_title = 900;
+
 /// The caption in lines that a picture of this width holds.
 std::vector<std::string> lines_of_caption(const Layout& layout, const Caption& caption) {
   constexpr double letter = 0.6 * note_font;  // on average
@@ -167,7 +170,7 @@ std::string Layout::x(double pixels) const { return fmt::format("screen {:.6f}",
 std::string Layout::y(double pixels) const { return fmt::format("screen {:.6f}", 1 - pixels / height); }
 
 Layout with_words(Layout layout, std::string_view title, const Caption& caption) {
-  layout.width = std::max(layout.width, text_width(title, title_font) + 2 * words_margin);
+  layout.width = std::max(layout.width, std::min(text_width(title, title_font), widest_title) + 2 * words_margin);
   const auto lines = lines_of_caption(layout, caption);
   for (const auto& line : lines) layout.width = std::max(layout.width, text_width(line, note_font) + 2 * words_margin);
   layout.height += caption_row * static_cast<double>(lines.size()) + 6;
@@ -176,7 +179,8 @@ Layout with_words(Layout layout, std::string_view title, const Caption& caption)
 
 std::string opening(PictureFormat format, const Layout& layout, std::string_view title, const Caption& caption) {
   std::string text = opening(format, layout);
-  text += fmt::format("set label {} at {},{} left font ',{}' front\n", text_literal(title), layout.x(words_margin),
+  text += fmt::format("set label {} at {},{} left font ',{}' front\n",
+                      text_literal(fitted(title, title_font, layout.width - 2 * words_margin)), layout.x(words_margin),
                       layout.y(22), title_font);
   const auto lines = lines_of_caption(layout, caption);
   double y = layout.height - 10 - caption_row * static_cast<double>(lines.size() - 1);

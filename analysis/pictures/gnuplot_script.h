@@ -53,7 +53,8 @@ struct Layout {
   std::string y(double pixels) const;
 };
 
-/// The layout with room for the words around it: as wide as the title and the caption need, and higher by the caption.
+/// The layout with room for the words around it: as wide as the title (without its middle where that is very long) and
+/// the caption need, and higher by the caption.
 Layout with_words(Layout layout, std::string_view title, const Caption& caption);
 
 /// The first lines of a script: encoding, terminal, margins, title, and the caption at the foot of a layout that

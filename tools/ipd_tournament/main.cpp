@@ -71,6 +71,12 @@ Program program() {
   return program;
 }
 
+/// A text without the blanks around it.
+std::string without_blanks(const std::string& text) {
+  const auto first = text.find_first_not_of(' ');
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') + 1 - first);
+}
+
 /// The MIN,MAX of --scale, if it is given.
 std::optional<std::array<double, 2>> chosen_scale(const po::variables_map& values) {
   if (values.count("scale") == 0) return std::nullopt;
@@ -84,8 +90,8 @@ std::optional<std::array<double, 2>> chosen_scale(const po::variables_map& value
   constexpr double largest = 1e15;
   std::array<double, 2> scale{};
   try {
-    scale = {parse_number(text.substr(0, comma), "--scale", -largest, largest),
-             parse_number(text.substr(comma + 1), "--scale", -largest, largest)};
+    scale = {parse_number(without_blanks(text.substr(0, comma)), "--scale", -largest, largest),
+             parse_number(without_blanks(text.substr(comma + 1)), "--scale", -largest, largest)};
   } catch (const UsageError&) {
     throw refused();
   }

@@ -55,5 +55,17 @@ TEST(WithWords, MakesRoomForTitleAndCaption) {
   EXPECT_TRUE(has(script, "Folk "));
 }
 
+TEST(WithWords, AVeryLongTitleLosesItsMiddle) {
+  Layout layout;
+  layout.width = 100;
+  layout.height = 50;
+  const std::string title = std::string(150, 'a') + std::string(150, 'z');
+  const Layout framed = with_words(layout, title, {});
+  EXPECT_LT(framed.width, 1000);
+  const std::string script = opening(PictureFormat::svg, framed, title, {});
+  EXPECT_TRUE(has(script, "aa…zz"));
+  EXPECT_FALSE(has(script, title));
+}
+
 }  // namespace
 }  // namespace folk::gnuplot

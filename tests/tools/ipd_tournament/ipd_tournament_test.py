@@ -568,12 +568,12 @@ class Files(unittest.TestCase):
         output(*few, "--scale", "-1/2,7.5")
         picture = (self.folder / "payoffs.svg").read_text()
         self.assertTrue("<text>7</text>" in picture and "beyond" not in picture)
-        output(*few, "--scale", "0,4")
+        output(*few, "--scale", " 0 , 4")
         self.assertIn("beyond the scale: the colour of its end", (self.folder / "payoffs.svg").read_text())
 
     def test_what_is_no_scale(self):
-        for scale in ("1", "1,2,3", "2,1", "1,1", "a,b", "nan,1", "0,inf", ",", "1,", "1e999,2", "0,1e16", "1,1.0000000001"):
-            done = run("--plot", "--output", str(self.folder / "none"), f"--scale={scale}")
+        for scale in ("1", "1,2,3", "2,1", "1,1", "a,b", "nan,1", "0,inf", ",", "1,", "1e999,2", "0,1e16", "1,1.0000000001", "1 2,50", ""):
+            done = run("--plot", "--output", str(self.folder / "none"), "--scale", scale)
             self.assertEqual((done.returncode, done.stdout), (2, ""), scale)
             self.assertEqual(done.stderr, f"ipd-tournament: --scale '{scale}': expected MIN,MAX, two finite numbers, the second the "
                              "greater, as in 0,5\n")
