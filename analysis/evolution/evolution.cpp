@@ -90,8 +90,10 @@ void Evolution::run(std::uint64_t generations, const Progress& progress, const s
     if (is_summed_up(state_.generation)) state_.summaries.push_back(summary_of(state_.generation, state_.population));
     look_for_end(before);
     if (after) after();
-    progress(static_cast<double>(state_.generation) / static_cast<double>(generations));
+    if (state_.end == EvolutionEnd::none)
+      progress(static_cast<double>(state_.generation) / static_cast<double>(generations));
   }
+  if (state_.end != EvolutionEnd::none) progress(1);
 }
 
 std::vector<PopulationRank> Evolution::ranking() const {

@@ -13,7 +13,7 @@
 namespace folk {
 namespace {
 
-constexpr std::string_view evolution_title = "folk evolution journal 2";
+constexpr std::string_view evolution_title = "folk evolution journal 1";
 constexpr std::string_view fixation_title = "folk fixation journal 1";
 
 std::uint64_t seal_of(std::string_view text) {

@@ -32,6 +32,10 @@ FinitePopulation::FinitePopulation(std::shared_ptr<const ScoreMatrix> scores, co
   require_fitness(*scores_, rules);
   if (!(mutation >= 0 && mutation <= 1)) throw UsageError("mutation: expected a number from 0 to 1");
   if (mutation > 0 && scores_->size() < 2) throw UsageError("mutation needs two strategies");
+  payoffs_.resize(scores_->behaviours() * scores_->behaviours());
+  for (std::size_t i = 0; i < scores_->size(); ++i)
+    for (std::size_t j = 0; j < scores_->size(); ++j)
+      payoffs_[scores_->behaviour(i) * scores_->behaviours() + scores_->behaviour(j)] = scores_->payoff(i, j);
   for (const double number : start) total_ += number;
   if (!(total_ >= 2 && total_ <= most))
     throw UsageError(fmt::format("a population of {} individuals: expected 2 to 10^9 for a random model", total_));
@@ -42,8 +46,8 @@ std::string FinitePopulation::text() const { return fmt::format("{}, mutation {}
 double FinitePopulation::payoff(const Population& now, std::size_t i) const {
   double sum = 0;
   for (std::size_t j = 0; j < now.size(); ++j)
-    if (now[j] > 0) sum += now[j] * scores_->payoff(i, j);
-  return rules_.meets_itself ? sum / total_ : (sum - scores_->payoff(i, i)) / (total_ - 1);
+    if (now[j] > 0) sum += now[j] * against(i, j);
+  return rules_.meets_itself ? sum / total_ : (sum - against(i, i)) / (total_ - 1);
 }
 
 std::size_t FinitePopulation::newcomer(std::size_t strategy, RandomStream& random) const {

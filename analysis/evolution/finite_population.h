@@ -24,10 +24,14 @@ public:
   std::string text() const override;
 
 private:
+  double against(std::size_t i, std::size_t j) const {
+    return payoffs_[scores_->behaviour(i) * scores_->behaviours() + scores_->behaviour(j)];
+  }
   double payoff(const Population& now, std::size_t i) const;
   std::size_t newcomer(std::size_t strategy, RandomStream& random) const;
 
   std::shared_ptr<const ScoreMatrix> scores_;
+  std::vector<double> payoffs_;  // by behaviour, row against column
   SelectionRules rules_;
   double total_ = 0;
   double intensity_ = 0;

@@ -48,10 +48,26 @@ public:
         w_(static_cast<long double>(to_double(rules.intensity))),
         rules_(rules) {}
 
+  /// g_j itself, where it fits.
+  long double plain(std::uint64_t j) const {
+    const auto [f, g] = success(j);
+    return exponential() ? std::exp(g - f) : g / f;
+  }
+
   long double operator()(std::uint64_t j) const {
+    const auto [f, g] = success(j);
+    return exponential() ? g - f : std::log(g) - std::log(f);
+  }
+
+private:
+  bool exponential() const {
+    return rules_.process == Process::pairwise_comparison || rules_.fitness == Fitness::exponential;
+  }
+
+  /// Of a mutant and a resident: fitness, or its logarithm where it is exponential.
+  std::array<long double, 2> success(std::uint64_t j) const {
     const auto [mutant, resident] = mean_payoffs(u_, static_cast<long double>(j), n_, rules_.meets_itself);
-    if (rules_.process == Process::pairwise_comparison || rules_.fitness == Fitness::exponential)
-      return w_ * (resident - mutant);
+    if (exponential()) return {w_ * mutant, w_ * resident};
     const long double f = 1 - w_ + w_ * mutant;
     const long double g = 1 - w_ + w_ * resident;
     if (f < 0 || g < 0 || (f == 0 && g == 0))
@@ -59,10 +75,9 @@ public:
           fmt::format("fitness 1 - w + w payoff is {} for mutants and {} for residents where there are {} "
                       "mutants: choose a smaller intensity or exponential fitness",
                       static_cast<double>(f), static_cast<double>(g), j));
-    return std::log(g) - std::log(f);
+    return {f, g};
   }
 
-private:
   TwoTypes<long double> u_;
   long double n_;
   long double w_;
@@ -89,6 +104,11 @@ long double log_fixation_probability(const TwoTypes<double>& payoffs, std::uint6
   if (mutants == 0) return never;
   if (mutants == population) return 0;
   const LogRatio ratio(payoffs, population, rules);
+  if (mutants == 1) {  // without logarithms as long as that fits
+    long double sum = 1;
+    for (std::uint64_t j = population - 1; j > 0; --j) sum = 1 + ratio.plain(j) * sum;
+    if (std::isfinite(sum)) return -std::log(sum);
+  }
   // 1 + g_1 (1 + g_2 (1 + ...)) from within, once up to i - 1 and once from i on, as logarithms; log of
   // a + p b, p = g_1 ... g_{i-1}: a is what stands above.
   long double beyond = 0;
@@ -179,20 +199,34 @@ FixationProbabilities fixation_probabilities(const ScoreMatrix& scores, std::uin
   const std::size_t n = scores.size();
   FixationProbabilities found{n, population, std::vector<long double>(n * n, 0), {}};
   if (exact) found.exact.assign(n * n, 1);
+  // Entrants that behave alike have the same probabilities: one of each behaviour is asked.
+  const std::size_t kinds = scores.behaviours();
+  std::vector<std::size_t> member(kinds, 0);
+  for (std::size_t i = 0; i < n; ++i) member[scores.behaviour(i)] = i;
+  std::vector<long double> logarithms(kinds * kinds);
+  std::vector<Rational> fractions(exact ? kinds * kinds : 0);
   parallel_for(
-      n, threads,
-      [&](std::size_t resident, unsigned) {
-        for (std::size_t mutant = 0; mutant < n; ++mutant) {
-          if (mutant == resident) continue;
+      kinds, threads,
+      [&](std::size_t a, unsigned) {
+        for (std::size_t b = 0; b < kinds; ++b) {
           progress.check();
-          const std::size_t at = resident * n + mutant;
-          found.logarithms[at] = log_fixation_probability(payoffs_of(scores, mutant, resident), population, 1, rules);
+          const std::size_t resident = member[a];
+          const std::size_t mutant = member[b];
+          logarithms[a * kinds + b] =
+              log_fixation_probability(payoffs_of(scores, mutant, resident), population, 1, rules);
           if (exact)
-            found.exact[at] =
+            fractions[a * kinds + b] =
                 exact_fixation_probability(exact_payoffs_of(scores, mutant, resident), population, 1, rules);
         }
       },
       progress);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      if (i == j) continue;
+      const std::size_t at = scores.behaviour(i) * kinds + scores.behaviour(j);
+      found.logarithms[i * n + j] = logarithms[at];
+      if (exact) found.exact[i * n + j] = fractions[at];
+    }
   return found;
 }
 

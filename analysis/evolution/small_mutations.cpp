@@ -14,6 +14,14 @@ using Square = std::vector<std::vector<Number>>;
 template <class Number>
 std::vector<std::size_t> recurrent(const Square<Number>& rates) {
   const std::size_t n = rates.size();
+  std::vector<std::size_t> found;
+  bool all_reached = true;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) all_reached = all_reached && (i == j || rates[i][j] > Number(0));
+  if (all_reached) {
+    for (std::size_t i = 0; i < n; ++i) found.push_back(i);
+    return found;
+  }
   std::vector<std::vector<bool>> reaches(n, std::vector<bool>(n, false));
   for (std::size_t i = 0; i < n; ++i) {
     std::vector<std::size_t> open{i};
@@ -28,7 +36,6 @@ std::vector<std::size_t> recurrent(const Square<Number>& rates) {
         }
     }
   }
-  std::vector<std::size_t> found;
   for (std::size_t i = 0; i < n; ++i) {
     bool stays = true;
     for (std::size_t j = 0; j < n; ++j) stays = stays && (!reaches[i][j] || reaches[j][i]);
@@ -43,7 +50,7 @@ std::vector<std::size_t> recurrent(const Square<Number>& rates) {
 }
 
 template <class Number>
-std::vector<Number> stationary(const Square<Number>& rates) {
+std::vector<Number> stationary(const Square<Number>& rates, const Progress& progress) {
   const auto states = recurrent(rates);
   const std::size_t k = states.size();
   Square<Number> q(k, std::vector<Number>(k));
@@ -56,7 +63,9 @@ std::vector<Number> stationary(const Square<Number>& rates) {
     for (std::size_t i = 0; i < last; ++i)
       for (std::size_t j = 0; j < last; ++j)
         if (i != j) q[i][j] += q[i][last] * q[last][j];
+    progress(static_cast<double>(k - last) / static_cast<double>(k - 1));
   }
+  if (k == 1) progress(1);
   std::vector<Number> weights(k, Number(0));
   weights[0] = 1;
   Number sum(1);
@@ -79,16 +88,18 @@ Square<Number> rates_of(std::size_t n, Value value) {
 
 }  // namespace
 
-std::vector<double> small_mutation_distribution(const FixationProbabilities& fixation) {
+std::vector<double> small_mutation_distribution(const FixationProbabilities& fixation, const Progress& progress) {
   const auto rates =
       rates_of<long double>(fixation.strategies, [&](std::size_t at) { return std::exp(fixation.logarithms[at]); });
-  const auto found = stationary(rates);
+  const auto found = stationary(rates, progress);
   return {found.begin(), found.end()};
 }
 
-std::vector<Rational> exact_small_mutation_distribution(const FixationProbabilities& fixation) {
+std::vector<Rational> exact_small_mutation_distribution(const FixationProbabilities& fixation,
+                                                        const Progress& progress) {
   if (fixation.exact.empty()) throw UsageError("the exact distribution needs exact fixation probabilities");
-  return stationary(rates_of<Rational>(fixation.strategies, [&](std::size_t at) { return fixation.exact[at]; }));
+  return stationary(rates_of<Rational>(fixation.strategies, [&](std::size_t at) { return fixation.exact[at]; }),
+                    progress);
 }
 
 std::vector<Rational> stationarity_residual(const FixationProbabilities& fixation,

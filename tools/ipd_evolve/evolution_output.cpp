@@ -98,7 +98,7 @@ std::string how_it_ended(const Evolution& evolution) {
   switch (state.end) {
     case EvolutionEnd::fixed_point: return generations + " a fixed point";
     case EvolutionEnd::cycle: return fmt::format("{} a cycle of {} generations", generations, state.period);
-    case EvolutionEnd::uniform: return generations + " one strategy is left";
+    case EvolutionEnd::uniform: return generations + " one strategy has taken over";
     case EvolutionEnd::none: break;
   }
   return generations +

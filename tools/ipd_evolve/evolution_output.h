@@ -1,8 +1,8 @@
 #pragma once
 // What became of a population, as text, CSV, JSON and files.
 
+#include <folk/tools/ipd_evolve/played_scores.h>
 #include <folk/tools/ipd_evolve/question.h>
-#include <folk/tools/ipd_evolve/scores.h>
 
 #include <folk/analysis/evolution/evolution.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 // Fixation probabilities, what rare mutations come to, and who took over in simulations, as text, CSV, JSON and files.
 
+#include <folk/tools/ipd_evolve/played_scores.h>
 #include <folk/tools/ipd_evolve/question.h>
-#include <folk/tools/ipd_evolve/scores.h>
 
 #include <folk/analysis/evolution/fixation.h>
 #include <folk/analysis/evolution/simulated_fixation.h>

@@ -140,8 +140,11 @@ void solve(const Setting& setting) {
                                              threads, std::ref(bar));
   }
   if (question.question == Question::stationary) {
-    report.distribution = small_mutation_distribution(report.fixation);
-    if (question.exact) report.exact_distribution = exact_small_mutation_distribution(report.fixation);
+    ProgressBar bar("rare mutations", !common.quiet);
+    const Progress progress = std::ref(bar);
+    report.distribution = small_mutation_distribution(report.fixation, progress.part(0, question.exact ? 0.01 : 1));
+    if (question.exact)
+      report.exact_distribution = exact_small_mutation_distribution(report.fixation, progress.part(0.01, 1));
   }
   if (folder) write_fixation_files(*folder, report);
   if (folder && picture) draw_fixation(*folder, report, *picture);

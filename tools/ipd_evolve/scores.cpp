@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 namespace folk::tools {
@@ -89,10 +88,6 @@ PlayedScores chosen_scores(const po::variables_map& values, const Common& common
   note_unusual_payoffs(game, common);
   ProgressBar bar(fmt::format("playing {} strategies", entrants.size()), !common.quiet);
   return played(play_tournament(std::move(entrants), core, settings, std::ref(bar)), game, values);
-}
-
-std::string json_text(const std::string& text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 }  // namespace folk::tools

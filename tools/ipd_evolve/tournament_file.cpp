@@ -33,8 +33,8 @@ std::vector<std::vector<double>> matrix_of(const Json& object, const char* name,
     if (row.is_array())
       for (const auto& cell : row) {
         if (!cell.is_number() || !std::isfinite(cell.get<double>()))
-          refuse_file(file, fmt::format("\"{}\" holds {}: expected numbers, of a tournament with self-play", name,
-                                        excerpt(cell.dump(-1, ' ', true, Json::error_handler_t::replace))));
+          refuse_file(file, fmt::format("\"{}\" holds a {}: expected numbers, of a tournament with self-play", name,
+                                        cell.is_number() ? "number too large" : cell.type_name()));
         numbers.push_back(cell.get<double>());
       }
     if (numbers.size() != size) rows.clear();
@@ -104,6 +104,7 @@ PlayedScores from_json(const std::string& text, const std::string& file) {
 }  // namespace
 
 PlayedScores read_tournament_file(const std::string& file) {
+  if (file.empty()) throw UsageError("--tournament '': expected the name of a file");
   const std::string text = read_text_file(file);
   const auto first = text.find_first_not_of(" \t\r\n");
   if (first != std::string::npos && text[first] == '{') return from_json(text, file);

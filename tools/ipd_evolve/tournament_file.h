@@ -1,7 +1,7 @@
 #pragma once
 // A finished tournament out of a file of ipd-tournament.
 
-#include <folk/tools/ipd_evolve/scores.h>
+#include <folk/tools/ipd_evolve/played_scores.h>
 
 #include <string>
 

@@ -117,7 +117,8 @@ void simulations_agree(const Dynamics& model, const TwoTypes<double>& u, const S
 TEST(SimulatedFixation, AgreesWithTheFormulaWithinFourStandardErrors) {
   const auto scores = table_of({{3, 0}, {5, 1}});
   for (const auto& rules :
-       {weak, fermi, SelectionRules{Process::birth_death, Fitness::exponential, Rational(1, 5), false}})
+       {weak, fermi, SelectionRules{Process::birth_death, Fitness::exponential, Rational(1, 5), false},
+        SelectionRules{Process::birth_death, Fitness::linear, Rational(1, 3), true}})
     simulations_agree(FinitePopulation(scores, {4, 6}, rules), {3, 0, 5, 1}, rules, 1);
 }
 

@@ -126,8 +126,8 @@ RC_GTEST_PROP(IntegerSelection, IsItsDefinitionAndNeverGrows, ()) {
   }
 }
 
-TEST(IntegerSelection, FindsCyclesAndSaysHowLongTheyAre) {
-  // Rock, scissors, paper; who loses to all others' winner grows next: integers must come back some time.
+TEST(IntegerSelection, AlwaysEnds) {
+  // Rock, scissors, paper: there are finitely many populations, so that one comes back.
   const auto scores = table_of({{1, 2, 0}, {0, 1, 2}, {2, 0, 1}});
   const Population start{30, 10, 10};
   Evolution evolution(std::make_shared<IntegerSelection>(scores, start), start);

@@ -193,6 +193,7 @@ class TournamentFiles(Scratch):
                            (json.dumps({**good, "scores": [[1]]}), "3 rows of 3 numbers"),
                            (json.dumps({**good, "scores": [[None] * 3] * 3}), "self-play"),
                            (json.dumps({**good, "strategies": ["a", "a", "b"]}), "twice"),
+                           ('{"strategies": ["a"], "scores": [[' + 200000 * "[" + 200000 * "]" + "]]}", "holds a array"),
                            (json.dumps({**good, "criterion": "finite:x"}), "x"),
                            (json.dumps({**good, "method_rows": ["cbc"] * 3}), "bounded")):
             self.refused(3, *file(text), says=says)
