@@ -40,7 +40,7 @@ BENCHMARK_CAPTURE(reply_to_1000_states, mixing_mean, "mean", false)->Unit(benchm
 /// All gaps of all 14 x 14 pairs of finite classics, the 17 classics being the class of beliefs.
 void classics_gaps(benchmark::State& state, const char* criterion) {
   const auto classics = Registry::standard().roster("classics");
-  const EquilibriumQuestion question{{}, Criterion::parse(criterion), classics};
+  const EquilibriumQuestion question{{{}, Criterion::parse(criterion)}, classics};
   for (auto _ : state) {
     ClassReplies beliefs = class_replies(question);
     for (const Strategy& first : classics)

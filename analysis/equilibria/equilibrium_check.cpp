@@ -30,23 +30,38 @@ SideGaps gaps_by_chance(PreparedMachine& own, PreparedMachine& theirs, ClassRepl
                         const Progress& progress) {
   const auto& payoffs = beliefs.payoffs();
   const auto& criterion = beliefs.criterion();
-  const double paid = expected_payoff(own.table(), theirs.table(), payoffs, criterion);
+  const double paid = expected_payoff(own.table(), theirs.table(), beliefs.rules());
   SideGaps gaps;
   gaps.nash = reply_gap(paid, rounding_of(payoffs, criterion), theirs.reply());
   progress(nash_share);
+  if (beliefs.rules().noise > 0) {
+    gaps.self_confirming_unrestricted = gaps.nash;  // every history comes about: no belief is free
+    gaps.self_confirming_class =
+        class_gap_under_noise(theirs.machine(), *gaps.nash, beliefs, progress.part(nash_share, 1));
+    return gaps;
+  }
   gaps.self_confirming_unrestricted = unrestricted_gap(own.table(), theirs.table(), paid, payoffs, criterion);
   gaps.self_confirming_class = class_gap(own.table(), theirs.table(), paid, beliefs, progress.part(nash_share, 1));
   return gaps;
+}
+
+/// Who proves under noise that no history leaves anything to gain has proved it from the start on.
+void carry_proof(SideGaps& gaps) {
+  if (!gaps.subgame_perfect || gaps.subgame_perfect->exact != Rational(0)) return;
+  for (auto* gap : {&gaps.nash, &gaps.self_confirming_unrestricted, &gaps.self_confirming_class})
+    if (*gap && !(*gap)->bounded()) *gap = exact_gap(0, std::move((*gap)->witness));
 }
 
 /// Subgame perfection wants every joint state; pairs that have too many of them are left undecided.
 void add_subgame_perfect(PairGaps& gaps, const PreparedPair& pair) {
   if (pair.first().endless() || pair.second().endless()) return;
   try {
-    auto [own, theirs] = subgame_perfect_gaps(pair.first().minimal(), pair.second().minimal(), pair.first().payoffs(),
-                                              pair.first().criterion());
+    auto [own, theirs] = subgame_perfect_gaps(pair.first().minimal(), pair.second().minimal(), pair.first().rules());
     gaps.first.subgame_perfect = std::move(own);
     gaps.second.subgame_perfect = std::move(theirs);
+    if (pair.first().rules().noise == 0) return;
+    carry_proof(gaps.first);
+    carry_proof(gaps.second);
   } catch (const UsageError&) {
     // Too many joint states: null says so.
   }
@@ -64,7 +79,7 @@ PairGaps gaps_over_both(const PlayPath& match, PreparedMachine* first, PreparedM
 }  // namespace
 
 ClassReplies class_replies(const EquilibriumQuestion& question) {
-  return {question.beliefs, question.payoffs, question.criterion, question.horizon};
+  return {question.beliefs, question, question.horizon};
 }
 
 PairGaps match_gaps(const PlayPath& match, PreparedMachine* first, PreparedMachine* second, ClassReplies& beliefs,
@@ -80,7 +95,7 @@ PairGaps match_gaps(const PlayPath& match, const Machine* first, const Machine* 
 
 PairGaps match_gaps(const PlayPath& match, const Machine* first, const Machine* second,
                     const EquilibriumQuestion& question, ClassReplies& beliefs, const Progress& progress) {
-  PreparedMachines machines(question.payoffs, question.criterion);
+  PreparedMachines machines(question);
   const auto prepared = [&](const Machine* machine) { return machine ? &machines.of(lent(*machine)) : nullptr; };
   return gaps_over_both(match, prepared(first), prepared(second), question.horizon, beliefs, progress);
 }
@@ -107,7 +122,7 @@ PairGaps pair_gaps(const Machine& first, const Machine& second, const Equilibriu
 
 PairGaps pair_gaps(const Machine& first, const Machine& second, const EquilibriumQuestion& question,
                    ClassReplies& beliefs, const Progress& progress) {
-  PreparedMachines machines(question.payoffs, question.criterion);
+  PreparedMachines machines(question);
   return pair_gaps(PreparedPair(machines.of(lent(first)), machines.of(lent(second)), question.horizon), beliefs,
                    progress);
 }

@@ -6,8 +6,7 @@
 #include <folk/analysis/play/play_path.h>
 #include <folk/analysis/replies/class_replies.h>
 #include <folk/analysis/replies/prepared_machine.h>
-#include <folk/games/criterion.h>
-#include <folk/games/payoffs.h>
+#include <folk/games/match_rules.h>
 #include <folk/games/progress.h>
 #include <folk/strategies/strategy.h>
 
@@ -16,10 +15,9 @@
 
 namespace folk {
 
-/// What is asked of a pair.
-struct EquilibriumQuestion {
-  Payoffs payoffs;
-  Criterion criterion = Criterion::finite(100);
+/// What is asked of a pair. Under noise the moves of a deviation slip as all moves do, and noise 1 is refused: then
+/// nothing is left to chance, and who means the other move everywhere plays without it.
+struct EquilibriumQuestion : MatchRules {
   std::vector<Strategy> beliefs;  ///< the class of machines that either side may hold the other to be
   unsigned horizon = 0;           ///< rounds that machines without end are followed, under criteria without end
 };
@@ -42,8 +40,10 @@ struct PairGaps {
 /// is found once, and prepares its pairs with machines(); the calls without it make their own.
 ClassReplies class_replies(const EquilibriumQuestion& question);
 
-/// Two machines, prepared under the payoffs and the criterion of `beliefs`. Throws UsageError on pairs too large to
-/// solve; Cancelled.
+/// Two machines, prepared under the rules of `beliefs`. Under noise every history comes about: no belief is free, so
+/// that the self-confirming gaps are the Nash gap, and exact is only a 0 that
+/// subgame_perfect_gaps proves. Throws UsageError on pairs too large to solve;
+/// Cancelled.
 PairGaps pair_gaps(const PreparedPair& pair, ClassReplies& beliefs, const Progress& progress = nullptr);
 
 /// The same, made ready here. Throws UsageError as PreparedPair does, too.
@@ -52,8 +52,8 @@ PairGaps pair_gaps(const Machine& first, const Machine& second, const Equilibriu
 PairGaps pair_gaps(const Machine& first, const Machine& second, const EquilibriumQuestion& question,
                    ClassReplies& beliefs, const Progress& progress = nullptr);
 
-/// A match under finite:T that was really played without chance; a side that is no machine is null. What can be gained
-/// against such a side is not known, nor is subgame perfection.
+/// A match under finite:T that was really played without chance and noise; a side that is no machine is null. What can
+/// be gained against such a side is not known, nor is subgame perfection.
 PairGaps match_gaps(const PlayPath& match, PreparedMachine* first, PreparedMachine* second, ClassReplies& beliefs,
                     const Progress& progress = nullptr);
 PairGaps match_gaps(const PlayPath& match, const Machine* first, const Machine* second,

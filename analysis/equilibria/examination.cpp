@@ -56,7 +56,20 @@ std::vector<PairExamination> examine_player(const ExaminationQuestion& question,
 
 }  // namespace
 
+void check_noise(const ExaminationQuestion& question) {
+  if (question.noise == 0) return;
+  if (question.noise == 1)
+    throw UsageError("noise 1 turns every move over and leaves nothing to chance: expected less than 1");
+  const auto check = [](const Strategy& strategy) {
+    if (!strategy.machine)
+      throw UsageError(fmt::format("{} is played, not enumerated: claims about it need noise 0", strategy.name));
+  };
+  check(question.policy);
+  for (const Strategy& opponent : question.opponents) check(opponent);
+}
+
 Examination examine(const ExaminationQuestion& question, const Stages& stages) {
+  check_noise(question);
   ClassReplies beliefs = class_replies(question);
   Examination examination;
   examination.pairs =

@@ -23,11 +23,15 @@ struct Examination {
   const std::optional<Certificate>& verdict(Notion notion) const { return verdicts[place_of(notion)]; }
 };
 
-/// Examines each pair by the most exact way there is: two machines by pair_gaps and thresholds, whatever else by its
-/// matches (played_examination.h), which for a policy that is no machine include the replies of others and, where it
-/// holds beliefs, a search on these. The answer depends on no number of threads.
-/// Throws UsageError that names the pair for what cannot be examined, and for a pair that is not two machines under a
-/// criterion other than finite:T; and what the players throw.
+/// Throws UsageError for what noise leaves without an answer: noise 1, and a policy or an opponent that is no machine,
+/// whose moves slip in no match that could be enumerated. The first thing that `examine` does.
+void check_noise(const ExaminationQuestion& question);
+
+/// Examines each pair by the most exact way there is: two machines by pair_gaps and (without noise) thresholds,
+/// whatever else by its matches (played_examination.h), which for a policy that is no machine include the replies of
+/// others and, where it holds beliefs, a search on these. The answer depends on no number of threads. Throws UsageError
+/// that names the pair for what cannot be examined, and for a pair that is not two machines under a criterion other
+/// than finite:T; and what the players throw.
 Examination examine(const ExaminationQuestion& question, const Stages& stages = nullptr);
 
 }  // namespace folk

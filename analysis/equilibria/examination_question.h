@@ -17,7 +17,7 @@
 namespace folk {
 
 /// The equilibrium question of one policy against each of some opponents. A policy or an opponent that is no machine
-/// needs finite:T.
+/// needs finite:T and no noise.
 struct ExaminationQuestion : EquilibriumQuestion {
   Strategy policy;
   std::vector<Strategy> opponents;
@@ -31,7 +31,7 @@ struct ExaminationQuestion : EquilibriumQuestion {
   std::uint64_t seed = 1;
   unsigned threads = 1;  ///< the answers do not depend on it
 
-  Sampling sampling() const { return {{payoffs, criterion}, repetitions, seed, threads}; }
+  Sampling sampling() const { return {*this, repetitions, seed, threads}; }
 };
 
 /// Told what is being done; what it returns is the progress of that.

@@ -62,21 +62,21 @@ Gap nash_gap(const PlayPath& path, const Machine& theirs, const Payoffs& payoffs
   return reply_gap(path, paid, best_reply(theirs, {payoffs, criterion}, horizon));
 }
 
-double expected_payoff(const Automaton& own, const Automaton& theirs, const Payoffs& payoffs,
-                       const Criterion& criterion) {
-  const auto pair = play_markov(own, theirs, 0, criterion);
+double expected_payoff(const Automaton& own, const Automaton& theirs, const MatchRules& rules) {
+  const auto& [payoffs, criterion, noise] = rules;
+  const auto pair = play_markov(own, theirs, noise, criterion);
   if (!pair)
-    throw UsageError(fmt::format("machines of {} and {} states that mix: too many to solve under {}", own.size(),
-                                 theirs.size(), criterion.to_string()));
+    throw UsageError(fmt::format("machines of {} and {} states that {}: too many to solve under {}", own.size(),
+                                 theirs.size(), noise > 0 ? "slip" : "mix", criterion.to_string()));
   const auto numbers = payoffs.numbers();
   double payoff = 0;
   for (std::size_t o = 0; o < 4; ++o) payoff += pair->weights[o] * numbers[o];
   return payoff;
 }
 
-Gap nash_gap(const Automaton& own, const Automaton& theirs, const Payoffs& payoffs, const Criterion& criterion) {
-  return reply_gap(expected_payoff(own, theirs, payoffs, criterion), rounding_of(payoffs, criterion),
-                   best_reply(theirs, {payoffs, criterion}));
+Gap nash_gap(const Automaton& own, const Automaton& theirs, const MatchRules& rules) {
+  return reply_gap(expected_payoff(own, theirs, rules), rounding_of(rules.payoffs, rules.criterion),
+                   best_reply(theirs, rules));
 }
 
 }  // namespace folk

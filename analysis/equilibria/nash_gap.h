@@ -5,6 +5,7 @@
 #include <folk/analysis/replies/best_reply.h>
 #include <folk/analysis/replies/path_payoffs.h>
 #include <folk/games/criterion.h>
+#include <folk/games/match_rules.h>
 #include <folk/games/payoffs.h>
 #include <folk/strategies/machine.h>
 
@@ -15,8 +16,9 @@ namespace folk {
 Gap nash_gap(const PlayPath& path, const Machine& theirs, const Payoffs& payoffs, const Criterion& criterion,
              unsigned horizon = 0);
 
-/// The same where chance plays a part: over what `own` earns on average.
-Gap nash_gap(const Automaton& own, const Automaton& theirs, const Payoffs& payoffs, const Criterion& criterion);
+/// The same where chance plays a part: over what `own` earns on average. Under noise the best reply's moves slip too,
+/// and both automata must be tabulated in the sense any_own_moves.
+Gap nash_gap(const Automaton& own, const Automaton& theirs, const MatchRules& rules);
 
 /// The gain over the path of a best reply to some machine that plays along with it. `paid`: what the path pays.
 Gap reply_gap(const PlayPath& path, const PathPayoffs& paid, const BestReply& reply);
@@ -26,7 +28,6 @@ Gap reply_gap(double paid, double rounding, const BestReply& reply);
 
 /// What a pair earns its first machine on average, in the criterion's unit. Throws UsageError when the pair is too
 /// large to solve.
-double expected_payoff(const Automaton& own, const Automaton& theirs, const Payoffs& payoffs,
-                       const Criterion& criterion);
+double expected_payoff(const Automaton& own, const Automaton& theirs, const MatchRules& rules);
 
 }  // namespace folk

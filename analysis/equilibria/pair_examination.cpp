@@ -17,12 +17,15 @@ double payoff_of(const OutcomeWeights& weights, const Payoffs& payoffs, bool exc
   return sum;
 }
 
-/// Every situation that two machines that mix come into with positive probability; the first of them are listed.
+/// Every situation that two machines that mix or slip come into with positive probability; the first are listed.
 void list_states(const PreparedPair& pair, PairExamination& found) {
-  const JointPlay play(pair.first().table(), pair.second().table(), Sense::own_moves_its_own);
+  const Noise noise = pair.first().rules().noise;
+  const JointPlay play(pair.first().table(), pair.second().table(),
+                       noise > 0 ? Sense::any_own_moves : Sense::own_moves_its_own);
   found.all_states = play.size();
   for (std::size_t s = 0; s < std::min(play.size(), most_listed_states); ++s)
-    found.states.push_back({play.history_to(s), play.first_cooperation(s), play.second_cooperation(s)});
+    found.states.push_back({play.history_to(s), really_played(play.first_cooperation(s), noise)[0],
+                            really_played(play.second_cooperation(s), noise)[0]});
 }
 
 Strategy played(Strategy strategy, std::shared_ptr<const Machine> machine) {

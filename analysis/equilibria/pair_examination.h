@@ -19,14 +19,14 @@
 
 namespace folk {
 
-/// A situation that machines that mix come into with positive probability.
+/// A situation that machines that mix or slip come into with positive probability.
 struct InformationState {
   std::vector<Outcome> history;  ///< a shortest one that leads there
-  double own = 1;                ///< P(C) of both
+  double own = 1;                ///< P(C) of both, as they really play
   double theirs = 1;
 };
 
-/// Situations of machines that mix are listed up to this many.
+/// Situations of machines that mix or slip are listed up to this many.
 inline constexpr std::size_t most_listed_states = 1000;
 
 /// The policy against one opponent. What does not apply, or is not known, is empty.
@@ -34,14 +34,14 @@ struct PairExamination {
   std::string opponent;
   std::optional<PlayPath> path{};          ///< of a pair without chance
   std::size_t all_states = 0;              ///< how many such situations there are; the first of them:
-  std::vector<InformationState> states{};  ///< of machines that mix
+  std::vector<InformationState> states{};  ///< of machines that mix or slip
   double own_score = 0;                    ///< in the criterion's unit
   double their_score = 0;
   Method method = Method::cycle;              ///< how the scores were obtained
   std::optional<BeliefRecord> record{};       ///< of a pair that is not two machines
   std::optional<BeliefConsistency> belief{};  ///< of a policy that believes
   PairGaps gaps{};
-  std::optional<Thresholds> thresholds{};    ///< of two deterministic finite machines
+  std::optional<Thresholds> thresholds{};    ///< of two deterministic finite machines, without noise
   std::optional<OwnBeliefGap> own_search{};  ///< self_confirming_own in detail
   Certificates verdicts{};
 };

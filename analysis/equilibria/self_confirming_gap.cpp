@@ -7,6 +7,7 @@
 #include <folk/games/error.h>
 #include <folk/games/outcome.h>
 #include <folk/games/stage_games/minmax.h>
+#include <folk/strategies/equivalence.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -53,13 +54,13 @@ ReplyProblem path_problem(const JointPlay& play, const Payoffs& payoffs) {
   const auto outside = static_cast<std::uint32_t>(play.size());
   problem.outside = {outside, mixed_minmax(payoffs)};
   for (std::size_t s = 0; s < play.size(); ++s) {
-    ReplyProblem::State state{play.second_cooperation(s), play.node(s).next};
+    ReplyProblem::State state{really_played(play.second_cooperation(s), {}), play.node(s).next};
     for (const Outcome outcome : all_outcomes)
       if (!possible(play.first_cooperation(s), outcome, Sense::own_moves_its_own))
         state.next[outcome.index()] = outside;
     problem.states.push_back(state);
   }
-  problem.states.push_back({1, {outside, outside, outside, outside}});
+  problem.states.push_back({{1, 0}, {outside, outside, outside, outside}});
   return problem;
 }
 
@@ -86,6 +87,15 @@ bool agrees(const Automaton& own, const Automaton& theirs, const Automaton& memb
     layer = std::move(next_layer);
   }
   return true;
+}
+
+/// Two machines answer alike after every history that the criterion lets happen; nothing where that is not decided.
+std::optional<bool> always_answers_alike(const Machine& a, const Machine& b, const MatchRules& rules) {
+  if (&a == &b || rules.noise == 0.5) return true;  // at one half every move is a coin's
+  const Comparison found = compare(a, b, Sense::any_own_moves);
+  const bool over = rules.criterion.is_finite() && found.depth >= rules.criterion.rounds();  // the match ends before
+  if (over || found.equivalence == Equivalence::equivalent) return true;
+  return found.equivalence == Equivalence::different ? std::optional(false) : std::nullopt;
 }
 
 /// The least gap, some members being left out whose gap is not known: it may be 0.
@@ -140,7 +150,7 @@ Gap unrestricted_gap(const PlayPath& path, const PathPayoffs& paid, const Payoff
 
 Gap unrestricted_gap(const Automaton& own, const Automaton& theirs, const Payoffs& payoffs,
                      const Criterion& criterion) {
-  return unrestricted_gap(own, theirs, expected_payoff(own, theirs, payoffs, criterion), payoffs, criterion);
+  return unrestricted_gap(own, theirs, expected_payoff(own, theirs, {payoffs, criterion}), payoffs, criterion);
 }
 
 Gap unrestricted_gap(const Automaton& own, const Automaton& theirs, double paid, const Payoffs& payoffs,
@@ -184,8 +194,7 @@ std::optional<Gap> class_gap(const PlayPath& path, const PathPayoffs& paid, Clas
 
 std::optional<Gap> class_gap(const Automaton& own, const Automaton& theirs, ClassReplies& beliefs,
                              const Progress& progress) {
-  return class_gap(own, theirs, expected_payoff(own, theirs, beliefs.payoffs(), beliefs.criterion()), beliefs,
-                   progress);
+  return class_gap(own, theirs, expected_payoff(own, theirs, beliefs.rules()), beliefs, progress);
 }
 
 std::optional<Gap> class_gap(const Automaton& own, const Automaton& theirs, double paid, ClassReplies& beliefs,
@@ -208,6 +217,26 @@ std::optional<Gap> class_gap(const Automaton& own, const Automaton& theirs, doub
                                   {{}, std::nullopt, "best reply", member.name}));
   }
   return without(left_out, std::move(least));
+}
+
+std::optional<Gap> class_gap_under_noise(const Machine& theirs, const Gap& nash, const ClassReplies& beliefs,
+                                         const Progress& progress) {
+  std::vector<std::string> left_out;
+  for (std::size_t i = 0; i < beliefs.members().size(); ++i) {
+    progress(share_of(i, beliefs));
+    const Strategy& member = beliefs.members()[i];
+    if (!member.machine) continue;
+    const auto same = always_answers_alike(theirs, *member.machine, beliefs.rules());
+    if (!same) left_out.push_back(member.name);
+    if (!same || !*same) continue;
+    Gap gap = nash;
+    gap.witness.belief = member.name;
+    return gap;
+  }
+  if (left_out.empty()) return std::nullopt;
+  Gap unknown;
+  unknown.tried = fmt::format("{} left out, too large to compare", fmt::join(left_out, ", "));
+  return unknown;
 }
 
 }  // namespace folk

@@ -50,4 +50,11 @@ std::optional<Gap> class_gap(const Automaton& own, const Automaton& theirs, Clas
 std::optional<Gap> class_gap(const Automaton& own, const Automaton& theirs, double paid, ClassReplies& beliefs,
                              const Progress& progress = nullptr);
 
+/// Beliefs of a class under noise strictly between 0 and 1. Every history comes about, so that a member agrees only
+/// when it answers as `theirs` does after all of them (of fewer than T rounds, for finite:T), and the best reply to it
+/// is the best reply to `theirs`: the gap is `nash`, the Nash gap, with the first such member for its belief. Nothing
+/// when none agrees; a bound (0) that says so when members that are too large to compare may.
+std::optional<Gap> class_gap_under_noise(const Machine& theirs, const Gap& nash, const ClassReplies& beliefs,
+                                         const Progress& progress = nullptr);
+
 }  // namespace folk

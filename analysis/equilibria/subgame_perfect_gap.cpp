@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace folk {
@@ -20,9 +21,10 @@ namespace {
 /// A pair seen from one seat: outcomes have the seat's own move first.
 class Side {
 public:
-  Side(const JointPlay& play, Seat seat)
+  Side(const JointPlay& play, Seat seat, Noise noise)
       : play_(play),
-        seat_(seat) {}
+        seat_(seat),
+        noise_(noise) {}
 
   std::size_t size() const { return play_.size(); }
   std::uint32_t next(std::size_t s, Outcome outcome) const { return play_.node(s).next[in_play(outcome).index()]; }
@@ -30,17 +32,19 @@ public:
   double own_cooperation(std::size_t s) const {
     return seat_ == Seat::first ? play_.first_cooperation(s) : play_.second_cooperation(s);
   }
-  double their_cooperation(std::size_t s) const {
-    return seat_ == Seat::first ? play_.second_cooperation(s) : play_.first_cooperation(s);
+  /// P(C) and P(D) of the other side's move, as it is really played.
+  std::array<double, 2> their_chances(std::size_t s) const {
+    return really_played(seat_ == Seat::first ? play_.second_cooperation(s) : play_.first_cooperation(s), noise_);
   }
+  Noise noise() const { return noise_; }
   std::uint32_t their_state(std::size_t s) const {
     return seat_ == Seat::first ? play_.node(s).second : play_.node(s).first;
   }
   const Automaton& theirs() const { return seat_ == Seat::first ? play_.second() : play_.first(); }
   std::array<double, 4> chances_in(std::size_t s) const {
-    auto chances = play_.chances_in(s);
-    if (seat_ == Seat::second) std::swap(chances[1], chances[2]);
-    return chances;
+    const auto p = really_played(own_cooperation(s), noise_);
+    const auto q = their_chances(s);
+    return {p[0] * q[0], p[0] * q[1], p[1] * q[0], p[1] * q[1]};
   }
 
   Witness witness(std::size_t s, Move deviation, const char* then) const {
@@ -56,7 +60,13 @@ private:
 
   const JointPlay& play_;
   Seat seat_;
+  Noise noise_;
 };
+
+/// Nothing happens by chance.
+bool is_pure(const JointPlay& play, Noise noise) {
+  return noise == 0 && play.first().deterministic() && play.second().deterministic();
+}
 
 constexpr const char* as_before = "both go on as their machines say";
 
@@ -124,19 +134,45 @@ MarkovChain chain_of(const Side& side) {
   return chain;
 }
 
-/// What follows when the side plays `own` in state s and play goes on: weight * payoff + continuation * value.
-double worth(const Side& side, std::size_t s, Move own, const std::array<double, 4>& payoffs, double weight,
-             double continuation, const std::vector<double>& values) {
-  const double p = side.their_cooperation(s);
+/// What follows when the side really plays `own` in state s and play goes on: weight * payoff + continuation * value.
+double worth_of_playing(const Side& side, std::size_t s, Move own, const std::array<double, 4>& payoffs, double weight,
+                        double continuation, const std::vector<double>& values) {
+  const auto chances = side.their_chances(s);
   double sum = 0;
   for (const Move theirs : {Move::C, Move::D}) {
-    const double chance = theirs == Move::C ? p : 1 - p;
+    const double chance = chances[bit(theirs)];
     if (chance == 0) continue;
     const Outcome outcome{own, theirs};
     sum += chance * (weight * payoffs[outcome.index()] + continuation * values[side.next(s, outcome)]);
   }
   return sum;
 }
+
+/// The same when it means to play `own`: the move slips as the machine's own do.
+double worth(const Side& side, std::size_t s, Move own, const std::array<double, 4>& payoffs, double weight,
+             double continuation, const std::vector<double>& values) {
+  const double played = worth_of_playing(side, s, own, payoffs, weight, continuation, values);
+  if (side.noise() == 0) return played;
+  const double slipped = worth_of_playing(side, s, other(own), payoffs, weight, continuation, values);
+  return (1 - side.noise()) * played + side.noise() * slipped;
+}
+
+/// By how much the machine's moves are better than the others, where they are least so; negative where they are worse,
+/// 0 where it mixes. Beyond all rounding it proves under noise what doubles else could only not refute.
+class Strictness {
+public:
+  explicit Strictness(Noise noise)
+      : asked_(noise > 0) {}
+
+  void see(double own_cooperation, double c, double d) {
+    least_ = std::min(least_, own_cooperation == 1 ? c - d : own_cooperation == 0 ? d - c : 0);
+  }
+  bool beyond(double rounding) const { return asked_ && least_ > rounding; }
+
+private:
+  bool asked_;
+  double least_ = std::numeric_limits<double>::infinity();
+};
 
 /// The largest gain that is seen so far, and where.
 struct Largest {
@@ -150,7 +186,7 @@ struct Largest {
   }
 };
 
-/// Machines that mix, discounted, ending or mean.
+/// Machines that mix or slip, discounted, ending or mean.
 Gap chance_gap(const Side& side, const Payoffs& payoffs, const Criterion& criterion) {
   const MarkovChain chain = chain_of(side);
   const auto numbers = payoffs.numbers();
@@ -162,7 +198,7 @@ Gap chance_gap(const Side& side, const Payoffs& payoffs, const Criterion& criter
   const char* then = as_before;
   if (criterion.kind() == Criterion::Kind::mean) {
     const auto values = solve_mean(chain, rewards);
-    const StationaryReply reply = stationary_reply(reply_problem(side.theirs(), payoffs), criterion);
+    const StationaryReply reply = stationary_reply(reply_problem(side.theirs(), payoffs, side.noise()), criterion);
     residual += reply.residual;
     for (std::size_t s = 0; s < side.size(); ++s) {
       const auto t = side.their_state(s);
@@ -173,11 +209,13 @@ Gap chance_gap(const Side& side, const Payoffs& payoffs, const Criterion& criter
     std::vector<double> values(side.size());
     solve_discounted(chain, rewards, criterion, values);
     const double weight = first_weight(criterion);
+    Strictness strictness(side.noise());
     double off = 0;  // by how much the values miss their own equation
     for (std::size_t s = 0; s < side.size(); ++s) {
       const double p = side.own_cooperation(s);
       const double c = worth(side, s, Move::C, numbers, weight, criterion.continuation(), values);
       const double d = worth(side, s, Move::D, numbers, weight, criterion.continuation(), values);
+      strictness.see(p, c, d);
       largest.see(c - values[s], s, Move::C);
       largest.see(d - values[s], s, Move::D);
       off = std::max(off, std::abs(p * c + (1 - p) * d - values[s]));
@@ -185,6 +223,7 @@ Gap chance_gap(const Side& side, const Payoffs& payoffs, const Criterion& criter
     double most = 0;
     for (const double value : values) most = std::max(most, std::abs(value));
     residual += 2 * (off + 8 * 0x1p-53 * most) / criterion.stopping();
+    if (strictness.beyond(residual)) return exact_gap(0, {});
   }
   return rounded_gap(largest.gain, residual, side.witness(largest.state, largest.move, then));
 }
@@ -225,15 +264,17 @@ std::vector<Outcome> history_of(const JointPlay& play, const std::vector<std::ve
   return history;
 }
 
-Gap finite_gap(const JointPlay& play, Seat seat, const std::vector<std::vector<bool>>& reached, const Payoffs& payoffs,
-               const Criterion& criterion) {
-  const Side side(play, seat);
+Gap finite_gap(const JointPlay& play, Seat seat, const std::vector<std::vector<bool>>& reached,
+               const MatchRules& rules) {
+  const auto& [payoffs, criterion, noise] = rules;
+  const Side side(play, seat, noise);
   const WholePayoffs whole = whole_payoffs(payoffs);
   const std::uint64_t rounds = criterion.rounds();
-  const bool pure = play.first().deterministic() && play.second().deterministic();
+  const bool pure = is_pure(play, noise);
   std::vector<double> values(side.size());
   std::vector<double> earlier(side.size());
   Largest largest;
+  Strictness strictness(noise);
   for (std::uint64_t t = rounds; t-- > 0;) {
     for (std::size_t s = 0; s < side.size(); ++s) {
       const double p = side.own_cooperation(s);
@@ -241,6 +282,7 @@ Gap finite_gap(const JointPlay& play, Seat seat, const std::vector<std::vector<b
       const double d = worth(side, s, Move::D, whole.by_outcome, 1, 1, values);
       earlier[s] = p == 1 ? c : p == 0 ? d : p * c + (1 - p) * d;
       if (!reached[t][s]) continue;
+      strictness.see(p, c, d);
       // Of equal gains the earliest is told: rounds are seen from the last to the first.
       if (c - earlier[s] > 0 && c - earlier[s] >= largest.gain) largest = {c - earlier[s], s, Move::C, t};
       if (d - earlier[s] > 0 && d - earlier[s] >= largest.gain) largest = {d - earlier[s], s, Move::D, t};
@@ -251,35 +293,36 @@ Gap finite_gap(const JointPlay& play, Seat seat, const std::vector<std::vector<b
   if (seat == Seat::second)
     for (Outcome& round : witness.history) round = round.exchanged();
   if (pure) return exact_gap(Rational(static_cast<std::int64_t>(largest.gain)) / whole.exact_scale, std::move(witness));
-  return rounded_gap(largest.gain / whole.scale, rounding_of(payoffs, criterion), std::move(witness));
+  const double rounding = rounding_of(payoffs, criterion);
+  if (strictness.beyond(rounding * whole.scale)) return exact_gap(0, {});
+  return rounded_gap(largest.gain / whole.scale, rounding, std::move(witness));
 }
 
-Gap gap_without_end(const Side& side, const Payoffs& payoffs, const Criterion& criterion, bool pure) {
-  if (!pure) return chance_gap(side, payoffs, criterion);
+Gap gap_without_end(const JointPlay& play, Seat seat, const MatchRules& rules) {
+  const auto& [payoffs, criterion, noise] = rules;
+  const Side side(play, seat, noise);
+  if (!is_pure(play, noise)) return chance_gap(side, payoffs, criterion);
   if (criterion.kind() == Criterion::Kind::mean) return mean_gap(side, payoffs);
   return one_shot_gap(side, payoffs, criterion);
 }
 
 }  // namespace
 
-BothGaps subgame_perfect_gaps(const Automaton& first, const Automaton& second, const Payoffs& payoffs,
-                              const Criterion& criterion, std::size_t most_joint_states) {
+BothGaps subgame_perfect_gaps(const Automaton& first, const Automaton& second, const MatchRules& rules,
+                              std::size_t most_joint_states) {
+  const Criterion& criterion = rules.criterion;
   const JointPlay play(first, second, Sense::any_own_moves, most_joint_states);
-  if (!criterion.is_finite()) {
-    const bool pure = first.deterministic() && second.deterministic();
-    return {gap_without_end(Side(play, Seat::first), payoffs, criterion, pure),
-            gap_without_end(Side(play, Seat::second), payoffs, criterion, pure)};
-  }
+  if (!criterion.is_finite())
+    return {gap_without_end(play, Seat::first, rules), gap_without_end(play, Seat::second, rules)};
   if (static_cast<double>(play.size()) * static_cast<double>(criterion.rounds()) > most_visits)
     throw UsageError(fmt::format("{} joint states over {} rounds: too many for subgame perfection, play fewer rounds",
                                  play.size(), criterion.rounds()));
   // Twice: gains are differences of totals.
-  if (!whole_payoffs(payoffs).exact(2 * static_cast<double>(criterion.rounds())))
+  if (!whole_payoffs(rules.payoffs).exact(2 * static_cast<double>(criterion.rounds())))
     throw UsageError(fmt::format("{} rounds at {} would score too much to count exactly: play fewer",
-                                 criterion.rounds(), to_text(payoffs)));
+                                 criterion.rounds(), to_text(rules.payoffs)));
   const auto reached = reached_after(play, criterion.rounds());
-  return {finite_gap(play, Seat::first, reached, payoffs, criterion),
-          finite_gap(play, Seat::second, reached, payoffs, criterion)};
+  return {finite_gap(play, Seat::first, reached, rules), finite_gap(play, Seat::second, reached, rules)};
 }
 
 }  // namespace folk

@@ -24,12 +24,6 @@ Outcome JointPlay::outcome_in(std::size_t state) const {
   return {first_cooperation(state) > 0.5 ? Move::C : Move::D, second_cooperation(state) > 0.5 ? Move::C : Move::D};
 }
 
-std::array<double, 4> JointPlay::chances_in(std::size_t state) const {
-  const double p = first_cooperation(state);
-  const double q = second_cooperation(state);
-  return {p * q, p * (1 - q), (1 - p) * q, (1 - p) * (1 - q)};
-}
-
 std::vector<Outcome> JointPlay::history_to(std::size_t state) const {
   constexpr auto unknown = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::pair<std::uint32_t, Outcome>> from(nodes_.size(), {unknown, {}});  // state before, outcome

@@ -4,7 +4,6 @@
 #include <folk/games/outcome.h>
 #include <folk/strategies/product.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -26,9 +25,6 @@ public:
 
   /// Of deterministic machines: the outcome that both play in a joint state (the first machine's move first).
   Outcome outcome_in(std::size_t state) const;
-
-  /// The probability of each outcome in a joint state.
-  std::array<double, 4> chances_in(std::size_t state) const;
 
   /// A shortest history that leads to a joint state, as the first machine sees it.
   std::vector<Outcome> history_to(std::size_t state) const;

@@ -16,11 +16,6 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// P(C) and P(D) of the move really played, each without cancellation.
-std::array<double, 2> really_played(double intended, Noise noise) {
-  return {intended * (1 - noise) + (1 - intended) * noise, (1 - intended) * (1 - noise) + intended * noise};
-}
-
 /// The joint states of a pair in breadth-first order, start first.
 std::optional<MarkovChain> joint_chain(const Automaton& first, const Automaton& second, Noise noise, std::size_t most) {
   const auto joint_states = product(first, second, noise > 0 ? Sense::any_own_moves : Sense::own_moves_its_own, most);

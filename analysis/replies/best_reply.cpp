@@ -43,9 +43,9 @@ BestReply best_reply(const Machine& opponent, const MatchRules& rules, unsigned 
                                horizon);
 }
 
-BestReply best_reply_to_table(const Automaton& opponent, const Payoffs& payoffs, const Criterion& criterion,
-                              unsigned horizon) {
-  ReplyProblem problem = reply_problem(opponent, payoffs);
+BestReply best_reply_to_table(const Automaton& opponent, const MatchRules& rules, unsigned horizon) {
+  const auto& [payoffs, criterion, noise] = rules;
+  ReplyProblem problem = reply_problem(opponent, payoffs, noise);
   if (!criterion.is_finite()) return stationary_best_reply(problem, criterion, horizon);
   if (problem.outside) problem.outside->payoff = 0;  // never played: the match is over
   return finite_reply(FiniteBestReply(std::move(problem), criterion.rounds()), payoffs);

@@ -25,9 +25,8 @@ struct BestReply {
 /// and on sizes that cannot be solved.
 BestReply best_reply(const Machine& opponent, const MatchRules& rules, unsigned horizon = 0);
 
-/// The same without noise for a machine that is the table of this criterion already: table_for(machine, criterion,
-/// Sense::own_moves_its_own, horizon).
-BestReply best_reply_to_table(const Automaton& opponent, const Payoffs& payoffs, const Criterion& criterion,
-                              unsigned horizon = 0);
+/// The same for a machine that is the table of this criterion already: table_for(machine, criterion, sense, horizon),
+/// in the sense any_own_moves where there is noise.
+BestReply best_reply_to_table(const Automaton& opponent, const MatchRules& rules, unsigned horizon = 0);
 
 }  // namespace folk

@@ -13,11 +13,10 @@ constexpr unsigned usual_horizon = 100;
 
 }  // namespace
 
-ClassReplies::ClassReplies(std::vector<Strategy> members, const Payoffs& payoffs, const Criterion& criterion,
-                           unsigned horizon)
+ClassReplies::ClassReplies(std::vector<Strategy> members, const MatchRules& rules, unsigned horizon)
     : members_(std::move(members)),
       horizon_(horizon > 0 ? horizon : usual_horizon),
-      machines_(payoffs, criterion) {}
+      machines_(rules) {}
 
 bool ClassReplies::endless(std::size_t member) const {
   return !criterion().is_finite() && !members_[member].machine->finite();

@@ -3,8 +3,7 @@
 
 #include <folk/analysis/replies/best_reply.h>
 #include <folk/analysis/replies/prepared_machine.h>
-#include <folk/games/criterion.h>
-#include <folk/games/payoffs.h>
+#include <folk/games/match_rules.h>
 #include <folk/strategies/automaton.h>
 #include <folk/strategies/strategy.h>
 
@@ -13,16 +12,17 @@
 
 namespace folk {
 
-/// A class of beliefs under one criterion. Replies are found when they are first asked for, and kept: whoever checks
-/// many pairs hands the same object to all of them. Not for several threads at once.
+/// A class of beliefs under the rules of one question. Replies are found when they are first asked for, and kept:
+/// whoever checks many pairs hands the same object to all of them. Not for several threads at once.
 class ClassReplies {
 public:
   /// Machines without end are followed for `horizon` rounds under criteria without end; 0 stands for 100 rounds.
-  ClassReplies(std::vector<Strategy> members, const Payoffs& payoffs, const Criterion& criterion, unsigned horizon = 0);
+  ClassReplies(std::vector<Strategy> members, const MatchRules& rules, unsigned horizon = 0);
 
   const std::vector<Strategy>& members() const { return members_; }
-  const Payoffs& payoffs() const { return machines_.payoffs(); }
-  const Criterion& criterion() const { return machines_.criterion(); }
+  const MatchRules& rules() const { return machines_.rules(); }
+  const Payoffs& payoffs() const { return rules().payoffs; }
+  const Criterion& criterion() const { return rules().criterion; }
   unsigned horizon() const { return horizon_; }
 
   /// True for a machine that has no end under a criterion that has none: its figures are bounds.
@@ -31,7 +31,7 @@ public:
   /// The best reply to a member that is a machine. Throws UsageError as best_reply does.
   const BestReply& reply(std::size_t member);
 
-  /// Such a member as a table, in the sense own_moves_its_own. Throws UsageError as table_for does.
+  /// Such a member as a table, as PreparedMachine::table has it. Throws UsageError as table_for does.
   const Automaton& table(std::size_t member);
 
   /// Where the members were prepared: a machine that is also played comes from here and is prepared only once.

@@ -16,8 +16,10 @@
 namespace folk {
 namespace {
 
-/// What a move earns that is answered by C with probability p: the mean of what follows that C and a D.
-double expected(double p, double after_c, double after_d) { return p * after_c + (1 - p) * after_d; }
+/// The mean of what follows one thing and what follows the other, by their probabilities.
+double expected(const std::array<double, 2>& chances, double after_one, double after_other) {
+  return chances[0] * after_one + chances[1] * after_other;
+}
 
 ReplyProblem problem_within(const Machine& machine, const Payoffs& payoffs, std::uint64_t rounds, Noise noise) {
   if (rounds == 0) throw UsageError("a best reply over 0 rounds is no play: give 1 or more");
@@ -47,7 +49,7 @@ void FiniteBestReply::solve() {
     throw UsageError(fmt::format("{} rounds at {} would score too much to count exactly: play fewer", rounds_,
                                  to_text(problem_.payoffs)));
   const std::size_t states = problem_.size();
-  const double slip = problem_.noise;
+  const std::array slip{problem_.noise.probability(), 1 - problem_.noise.probability()};
   const double outside = problem_.outside ? to_double(problem_.outside->payoff) * whole.scale : 0;
   defects_.resize(rounds_ * states);
   // What the best and the worst play earn from each state on in the rounds that are left.
@@ -65,14 +67,14 @@ void FiniteBestReply::solve() {
       std::array<double, 2> best{};
       std::array<double, 2> worst{};
       for (const Move own : {Move::C, Move::D}) {
-        const double p = problem_.states[s].cooperation;
+        const auto& p = problem_.states[s].chances;
         const std::size_t c = Outcome{own, Move::C}.index();
         const std::size_t d = Outcome{own, Move::D}.index();
         const auto& next = problem_.states[s].next;
         best[bit(own)] = expected(p, whole.by_outcome[c] + most[next[c]], whole.by_outcome[d] + most[next[d]]);
         worst[bit(own)] = expected(p, whole.by_outcome[c] + least[next[c]], whole.by_outcome[d] + least[next[d]]);
       }
-      if (slip > 0) {
+      if (problem_.noise > 0) {
         best = std::array{expected(slip, best[1], best[0]), expected(slip, best[0], best[1])};
         worst = std::array{expected(slip, worst[1], worst[0]), expected(slip, worst[0], worst[1])};
       }
@@ -103,7 +105,7 @@ std::vector<Move> FiniteBestReply::moves() const {
   std::uint32_t state = problem_.start;
   for (std::uint64_t round = 0; round < rounds_; ++round) {
     moves.push_back(best(round, state));
-    const Move theirs = problem_.states[state].cooperation > 0.5 ? Move::C : Move::D;
+    const Move theirs = problem_.states[state].chance(Move::C) > 0.5 ? Move::C : Move::D;
     state = problem_.states[state].next[Outcome{moves.back(), theirs}.index()];
   }
   return moves;

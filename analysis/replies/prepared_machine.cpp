@@ -12,16 +12,16 @@ bool is_cut(const Automaton& table, const PreparedMachine& prepared) {
 
 }  // namespace
 
-PreparedMachine::PreparedMachine(std::shared_ptr<const Machine> machine, const Payoffs& payoffs,
-                                 const Criterion& criterion)
+PreparedMachine::PreparedMachine(std::shared_ptr<const Machine> machine, const MatchRules& rules)
     : machine_(std::move(machine)),
-      payoffs_(payoffs),
-      criterion_(criterion) {}
+      rules_(rules) {}
+
+Sense PreparedMachine::sense() const { return rules_.noise > 0 ? Sense::any_own_moves : Sense::own_moves_its_own; }
 
 const Automaton& PreparedMachine::table(unsigned horizon) {
   for (const unsigned known : {0U, horizon})
     if (const auto place = tables_.find(known); place != tables_.end()) return place->second;
-  Automaton table = table_for(*machine_, criterion_, Sense::own_moves_its_own, horizon);
+  Automaton table = table_for(*machine_, criterion(), sense(), horizon);
   const unsigned key = is_cut(table, *this) ? horizon : 0;
   return tables_.emplace(key, std::move(table)).first->second;
 }
@@ -29,7 +29,8 @@ const Automaton& PreparedMachine::table(unsigned horizon) {
 const Automaton& PreparedMachine::minimal() {
   if (refusal_) throw UsageError(*refusal_);
   try {
-    if (!minimal_) minimal_ = minimise(table_for(*machine_, criterion_, Sense::any_own_moves, 0), Sense::any_own_moves);
+    if (!minimal_)
+      minimal_ = minimise(table_for(*machine_, criterion(), Sense::any_own_moves, 0), Sense::any_own_moves);
   } catch (const UsageError& error) {
     refusal_ = error.what();
     throw;
@@ -52,7 +53,7 @@ std::shared_ptr<const Machine> PreparedMachine::player(unsigned horizon) {
   player_ = machine_;
   if (machine_->finite())
     if (const Automaton& all = table(horizon); !all.beyond())
-      player_ = std::make_shared<const Automaton>(minimise(all, Sense::own_moves_its_own));
+      player_ = std::make_shared<const Automaton>(minimise(all, sense()));
   return player_;
 }
 
@@ -61,12 +62,12 @@ const BestReply& PreparedMachine::reply(unsigned horizon) {
     if (const auto place = replies_.find(known); place != replies_.end()) return place->second;
   const Automaton& opponent = table(horizon);
   const unsigned key = is_cut(opponent, *this) ? horizon : 0;
-  return replies_.emplace(key, best_reply_to_table(opponent, payoffs_, criterion_, horizon)).first->second;
+  return replies_.emplace(key, best_reply_to_table(opponent, rules_, horizon)).first->second;
 }
 
 PreparedMachine& PreparedMachines::of(const std::shared_ptr<const Machine>& machine) {
   auto& prepared = machines_[machine.get()];
-  if (!prepared) prepared = std::make_unique<PreparedMachine>(machine, payoffs_, criterion_);
+  if (!prepared) prepared = std::make_unique<PreparedMachine>(machine, rules_);
   return *prepared;
 }
 

@@ -2,8 +2,7 @@
 // A machine made ready for a question: its tables, its smallest forms and the best reply to it, each made only once.
 
 #include <folk/analysis/replies/best_reply.h>
-#include <folk/games/criterion.h>
-#include <folk/games/payoffs.h>
+#include <folk/games/match_rules.h>
 #include <folk/strategies/automaton.h>
 #include <folk/strategies/machine.h>
 
@@ -15,20 +14,21 @@
 
 namespace folk {
 
-/// What one criterion asks of a machine. Everything is made when it is first asked for, and kept, a refusal too: asking
-/// again throws the same. Not for several threads at once.
+/// What the rules of a question ask of a machine. Everything is made when it is first asked for, and kept, a refusal
+/// too: asking again throws the same. Not for several threads at once.
 class PreparedMachine {
 public:
-  PreparedMachine(std::shared_ptr<const Machine> machine, const Payoffs& payoffs, const Criterion& criterion);
+  PreparedMachine(std::shared_ptr<const Machine> machine, const MatchRules& rules);
 
   const Machine& machine() const { return *machine_; }
-  const Payoffs& payoffs() const { return payoffs_; }
-  const Criterion& criterion() const { return criterion_; }
+  const MatchRules& rules() const { return rules_; }
+  const Criterion& criterion() const { return rules_.criterion; }
 
   /// True for a machine that has no end under a criterion that has none: its figures are bounds.
-  bool endless() const { return !criterion_.is_finite() && !machine_->finite(); }
+  bool endless() const { return !criterion().is_finite() && !machine_->finite(); }
 
-  /// The machine as table_for makes it, in the sense own_moves_its_own; `horizon` counts where it is endless.
+  /// The machine as table_for makes it, in the sense own_moves_its_own (any_own_moves where there is noise); `horizon`
+  /// counts where it is endless.
   /// Throws UsageError as table_for does.
   const Automaton& table(unsigned horizon = 0);
 
@@ -39,7 +39,7 @@ public:
   /// The same over every history, whatever the criterion; null for a machine without end, or of more than 2^20 states.
   const Automaton* whole();
 
-  /// A machine that plays as it does where no move slips: the smallest where `table` is all of it, else itself.
+  /// A machine that plays as it does: the smallest where `table` is all of it, else itself.
   /// Throws UsageError as `table` does for a machine that is not endless.
   std::shared_ptr<const Machine> player(unsigned horizon = 0);
 
@@ -47,9 +47,10 @@ public:
   const BestReply& reply(unsigned horizon = 0);
 
 private:
+  Sense sense() const;
+
   std::shared_ptr<const Machine> machine_;
-  Payoffs payoffs_;
-  Criterion criterion_;
+  MatchRules rules_;
   std::map<unsigned, Automaton> tables_;  // by horizon; 0 where none counts
   std::map<unsigned, BestReply> replies_;
   std::optional<Automaton> minimal_;
@@ -61,19 +62,16 @@ private:
 /// The machines of a question, each of them prepared once however often it comes up.
 class PreparedMachines {
 public:
-  PreparedMachines(const Payoffs& payoffs, const Criterion& criterion)
-      : payoffs_(payoffs),
-        criterion_(criterion) {}
+  explicit PreparedMachines(const MatchRules& rules)
+      : rules_(rules) {}
 
-  const Payoffs& payoffs() const { return payoffs_; }
-  const Criterion& criterion() const { return criterion_; }
+  const MatchRules& rules() const { return rules_; }
 
   /// The same machine (by address, which is kept alive) is the same entry.
   PreparedMachine& of(const std::shared_ptr<const Machine>& machine);
 
 private:
-  Payoffs payoffs_;
-  Criterion criterion_;
+  MatchRules rules_;
   std::map<const Machine*, std::unique_ptr<PreparedMachine>> machines_;
 };
 

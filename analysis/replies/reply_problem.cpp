@@ -5,17 +5,16 @@
 namespace folk {
 
 bool ReplyProblem::deterministic() const {
-  const auto pure = [](const State& state) { return state.cooperation == 0 || state.cooperation == 1; };
+  const auto pure = [](const State& state) { return state.chance(Move::C) == 0 || state.chance(Move::C) == 1; };
   return noise == 0 && std::all_of(states.begin(), states.end(), pure);
 }
 
 ReplyProblem::Chances ReplyProblem::after(std::size_t state, Move own) const {
   Chances chances;
-  const double p = states[state].cooperation;
   for (const Move really : {own, other(own)}) {
     const double own_chance = really == own ? 1 - noise : noise.probability();
     for (const Move theirs : {Move::C, Move::D}) {
-      const double chance = own_chance * (theirs == Move::C ? p : 1 - p);
+      const double chance = own_chance * states[state].chance(theirs);
       if (chance > 0) chances.chances[chances.size++] = {{really, theirs}, chance};
     }
   }
@@ -29,10 +28,9 @@ ReplyProblem reply_problem(const Automaton& opponent, const Payoffs& payoffs, No
   problem.start = static_cast<std::uint32_t>(opponent.start());
   problem.states.reserve(opponent.size());
   for (const auto& node : opponent.nodes()) {
-    const double p = node.cooperation;
     // The replier's outcome (own, theirs) is the opponent's (theirs, own).
     problem.states.push_back(
-        {p * (1 - noise) + (1 - p) * noise, {node.next[0], node.next[2], node.next[1], node.next[3]}});
+        {really_played(node.cooperation, noise), {node.next[0], node.next[2], node.next[1], node.next[3]}});
   }
   if (const auto beyond = opponent.beyond()) {
     const auto by_outcome = payoffs.by_outcome();

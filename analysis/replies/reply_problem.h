@@ -19,8 +19,10 @@ namespace folk {
 /// always knows the state, because it is a function of what was really played.
 struct ReplyProblem {
   struct State {
-    double cooperation = 1;             ///< P(the opponent really plays C)
-    std::array<std::uint32_t, 4> next;  ///< by the replier's outcome (own move first)
+    std::array<double, 2> chances{1, 0};  ///< P(the opponent really plays C), and D
+    std::array<std::uint32_t, 4> next;    ///< by the replier's outcome (own move first)
+
+    double chance(Move theirs) const { return chances[bit(theirs)]; }
   };
 
   /// A state that pays the same in every round whatever is played and is never left.

@@ -40,7 +40,7 @@ public:
   }
 
 private:
-  Move theirs(std::size_t s) const { return problem_.states[s].cooperation > 0.5 ? Move::C : Move::D; }
+  Move theirs(std::size_t s) const { return problem_.states[s].chance(Move::C) > 0.5 ? Move::C : Move::D; }
 
   const ReplyProblem& problem_;
   WholePayoffs whole_;

@@ -224,6 +224,7 @@ void write_json(std::ostream& out, const SceQuestion& question, const SceReport&
                    {"belief_effect", effect_of(report.effect)},
                    {"verdicts", verdicts_of(report.verdicts, &report.worst)}}},
                  {"extracted", extracted_of(question, report.extracted)}};
+  if (question.noise > 0) object["noise"] = question.noise.probability();
   if (with_command) {
     object["folk_version"] = FOLK_VERSION;
     object["command"] = question.command;

@@ -91,6 +91,8 @@ Html question_list(const SceQuestion& question) {
   add("opponents", question.opponents_spec);
   add("game", question.game.title + ", " + to_text(question.payoffs));
   add("criterion", question.criterion.to_string());
+  if (question.noise > 0)
+    add("noise", fmt::format("each move flips with probability {}", question.noise.probability()));
   add("class of beliefs", fmt::format("{} ({} machine{})", question.class_spec, question.beliefs.size(),
                                       question.beliefs.size() == 1 ? "" : "s"));
   add("whose gains count", side_words(question.sides));

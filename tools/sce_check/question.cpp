@@ -8,6 +8,7 @@
 #include <folk/tools/program/threads_option.h>
 
 #include <fmt/format.h>
+#include <folk/analysis/equilibria/examination.h>
 #include <folk/games/error.h>
 #include <folk/strategies/programs/program_rules.h>
 
@@ -88,6 +89,7 @@ void add_sce_options(Program& program) {
   const auto text = [] { return po::value<std::string>(); };
   add("opponents", text(), "SPEC of whom POLICY is checked against (default: its training roster, else classics)");
   add_criterion_options(program.options);
+  add("noise", text(), "each move of both, of a deviation too, flips with this probability (default 0)");
   add("class", text(), "SPEC of the machines that the other side may be believed to be (default: the opponents)");
   add("side", text()->default_value("both"), "whose gains a verdict is about: both, own (POLICY's) or theirs");
   add("epsilon-belief", text(), "beliefs may be as far as this from the truth (default 0.05)");
@@ -168,6 +170,8 @@ SceQuestion sce_question(const po::variables_map& values, const Common& common) 
   question.require = required(values);
   if (question.require == "beliefs" && question.policy.machine)
     throw UsageError(fmt::format("--require beliefs: {} is a machine and holds none", question.policy.name));
+  question.noise = parse_number(text_option(values, "noise", "0"), "--noise", 0, 1);
+  check_noise(question);
   question.repetitions = whole_option(values, "repetitions", 100, 1, 1'000'000);
   question.seed = whole_option(values, "seed", 1, 0, ~std::uint64_t{0});
   question.threads = threads_option(values, common);

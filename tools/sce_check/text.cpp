@@ -29,8 +29,9 @@ void write_header(std::ostream& out, const SceQuestion& question, const SceRepor
                                   report.opponents.size() == 1
                                       ? report.opponents.front().opponent
                                       : fmt::format("the {} of {}", report.opponents.size(), question.opponents_spec)));
-  out << fmt::format("game {} ({}), {}, class {}, epsilon-belief {}, epsilon-payoff {}, depth {}, seed {}\n",
-                     shown_title(question.game.title), to_text(question.payoffs), question.criterion.to_string(),
+  const std::string noise = question.noise > 0 ? fmt::format(", noise {}", question.noise.probability()) : "";
+  out << fmt::format("game {} ({}), {}{}, class {}, epsilon-belief {}, epsilon-payoff {}, depth {}, seed {}\n",
+                     shown_title(question.game.title), to_text(question.payoffs), question.criterion.to_string(), noise,
                      visible_text(question.class_spec), question.epsilon_belief, to_text(question.epsilon_payoff),
                      question.depth, question.seed);
   if (!question.left_out.empty())

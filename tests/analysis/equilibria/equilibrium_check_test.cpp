@@ -17,7 +17,7 @@ PairGaps against_itself(const char* name, const char* criterion, const char* pay
                         const char* beliefs = "classics") {
   const auto machine = named(name).machine;
   return pair_gaps(*machine, *machine,
-                   {parse_payoffs(payoffs), Criterion::parse(criterion), Registry::standard().roster(beliefs)});
+                   {{parse_payoffs(payoffs), Criterion::parse(criterion)}, Registry::standard().roster(beliefs)});
 }
 
 Rational nash_gain(const char* name, const char* criterion) {
@@ -94,7 +94,7 @@ TEST(PairGaps, OnlyPathsOfDSurviveWhereRoundsEnd) {
       path.rounds.push_back({move_from_bit(moves >> (2 * t)), move_from_bit(moves >> (2 * t + 1))});
       all_d = all_d && path.rounds.back() == Outcome{Move::D, Move::D};
     }
-    const auto gaps = match_gaps(path, nullptr, nullptr, {{}, Criterion::finite(rounds), {}});
+    const auto gaps = match_gaps(path, nullptr, nullptr, {{{}, Criterion::finite(rounds)}, {}});
     const bool survives =
         *gaps.first.self_confirming_unrestricted->exact == 0 && *gaps.second.self_confirming_unrestricted->exact == 0;
     EXPECT_EQ(survives, all_d) << moves;
@@ -109,9 +109,9 @@ TEST(PairGaps, AllCUnderTheMeanIsNotPerfectByOneShotDeviationsAlone) {
 
 TEST(PairGaps, RefusesMachinesWithoutEndUnderCriteriaWithoutEnd) {
   const auto gradual = named("gradual").machine;
-  EXPECT_THROW(pair_gaps(*gradual, *gradual, {{}, Criterion::discounted(0.9), {}}), UsageError);
-  EXPECT_THROW(pair_gaps(*gradual, *gradual, {{}, Criterion::mean(), {}, 50}), UsageError);
-  const auto gaps = pair_gaps(*gradual, *gradual, {{}, Criterion::discounted(0.9), {}, 40});
+  EXPECT_THROW(pair_gaps(*gradual, *gradual, {{{}, Criterion::discounted(0.9)}, {}}), UsageError);
+  EXPECT_THROW(pair_gaps(*gradual, *gradual, {{{}, Criterion::mean()}, {}, 50}), UsageError);
+  const auto gaps = pair_gaps(*gradual, *gradual, {{{}, Criterion::discounted(0.9)}, {}, 40});
   ASSERT_TRUE(gaps.first.nash);
   EXPECT_TRUE(gaps.first.nash->depth);
   EXPECT_FALSE(gaps.first.subgame_perfect);
@@ -136,7 +136,7 @@ RC_GTEST_PROP(PairGaps, AreOrderedAsTheNotionsAre, ()) {
   const Automaton first = test::random_automaton(random, 4, pure);
   const Automaton second = test::random_automaton(random, 4, pure);
   constexpr std::array criteria{"finite:1", "finite:7", "discounted:0.3", "discounted:0.9", "mean", "ending:0.2"};
-  EquilibriumQuestion question{{}, Criterion::parse(criteria[random() % criteria.size()]), {}, 0};
+  EquilibriumQuestion question{{{}, Criterion::parse(criteria[random() % criteria.size()])}, {}, 0};
   for (int i = 0; i < 3; ++i) {
     Strategy member{"member", std::make_shared<Automaton>(test::random_automaton(random, 3, pure)), {}};
     question.beliefs.push_back(std::move(member));
@@ -158,7 +158,7 @@ TEST(PairGaps, EndAsTheirProgressWishes) {
   for (const char* name : {"pavlov", "random(0.3)"}) {
     const auto own = named(name).machine;
     const auto theirs = named("tit_for_tat").machine;
-    const EquilibriumQuestion question{{}, Criterion::finite(10), classics};
+    const EquilibriumQuestion question{{{}, Criterion::finite(10)}, classics};
     test::expect_ends([&](const Progress& progress) {
       EXPECT_TRUE(pair_gaps(*own, *theirs, question, progress).second.self_confirming_unrestricted);
     });
@@ -169,7 +169,7 @@ TEST(PairGaps, EndAsTheirProgressWishes) {
 TEST(PairGapsThreads, EndAsTheirProgressWishes) {
   const auto opponents = Registry::standard().roster("all_c,all_d,pavlov,tit_for_tat,spiteful,per_ccd");
   const auto own = named("pavlov").machine;
-  const EquilibriumQuestion question{{}, Criterion::finite(10), opponents};
+  const EquilibriumQuestion question{{{}, Criterion::finite(10)}, opponents};
   for (const unsigned threads : {1U, 4U})
     test::expect_ends([&](const Progress& progress) {
       const Progress cancels{nullptr, [&] { return progress.cancelled(); }};

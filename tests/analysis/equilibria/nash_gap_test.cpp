@@ -66,7 +66,7 @@ TEST(NashGap, OfChanceAgreesWithTheExactOneOn1000PurePairs) {
     const Automaton theirs = test::random_automaton(random, 6, true);
     const auto criterion = Criterion::parse(criteria[random() % criteria.size()]);
     const Gap exact = nash_gap(play_path(own, theirs, criterion), theirs, {}, criterion);
-    const Gap rounded = nash_gap(own, theirs, {}, criterion);
+    const Gap rounded = nash_gap(own, theirs, {{}, criterion});
     ASSERT_NEAR(exact.gain, rounded.gain, rounded.residual + 1e-11) << criterion.to_string() << " case " << i;
     ASSERT_LE(rounded.residual, 1e-9);
   }

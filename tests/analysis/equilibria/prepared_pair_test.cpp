@@ -31,7 +31,7 @@ private:
 };
 
 TEST(PreparedPair, KeepsItsPathWhereNothingIsChance) {
-  PreparedMachines machines({}, Criterion::discounted(0.9));
+  PreparedMachines machines({{}, Criterion::discounted(0.9)});
   const PreparedPair pure(machines.of(machine_named("tit_for_tat")), machines.of(machine_named("all_d")));
   ASSERT_TRUE(pure.path());
   EXPECT_EQ(pure.path()->rounds, (std::vector<Outcome>{{Move::C, Move::D}, {Move::D, Move::D}}));
@@ -39,14 +39,14 @@ TEST(PreparedPair, KeepsItsPathWhereNothingIsChance) {
 }
 
 TEST(PreparedPair, RefusesMachinesWithoutEndUnderCriteriaWithoutEnd) {
-  PreparedMachines machines({}, Criterion::discounted(0.9));
+  PreparedMachines machines({{}, Criterion::discounted(0.9)});
   PreparedMachine& gradual = machines.of(machine_named("gradual"));
   PreparedMachine& random = machines.of(machine_named("random(0.5)"));
   test::expect_error<UsageError>([&] { PreparedPair(gradual, gradual); }, "give a --horizon");
   EXPECT_EQ(PreparedPair(gradual, gradual, 40).horizon(), 40U);
   test::expect_error<UsageError>([&] { PreparedPair(gradual, random, 40); }, "no --horizon helps");
   test::expect_error<UsageError>([&] { PreparedPair(random, gradual, 40); }, "no --horizon helps");
-  PreparedMachines finite({}, Criterion::finite(5));
+  PreparedMachines finite({{}, Criterion::finite(5)});
   EXPECT_FALSE(PreparedPair(finite.of(machine_named("random(0.5)")), finite.of(machine_named("gradual"))).path());
 }
 
@@ -54,7 +54,7 @@ TEST(PreparedPair, RefusesMachinesWithoutEndUnderCriteriaWithoutEnd) {
 TEST(PreparedPair, GoesThroughEachMachineOnceAQuestion) {
   for (const char* name : {"pavlov", "random(0.5)"}) {
     const auto counted = std::make_shared<Counted>(machine_named(name));
-    const EquilibriumQuestion question{{}, Criterion::discounted(0.6), {{"itself", counted, {}}}};
+    const EquilibriumQuestion question{{{}, Criterion::discounted(0.6)}, {{"itself", counted, {}}}};
     ClassReplies beliefs = class_replies(question);
     PreparedMachine& prepared = beliefs.machines().of(counted);
     const PreparedPair pair(prepared, prepared);
@@ -69,7 +69,7 @@ TEST(PreparedPair, GoesThroughEachMachineOnceAQuestion) {
 TEST(PreparedPair, HasTheGapsOfThePairAsItIs) {
   const auto classics = Registry::standard().roster("classics,random(0.5)");
   for (const char* criterion : {"discounted:0.8", "finite:20", "mean"}) {
-    EquilibriumQuestion question{{}, Criterion::parse(criterion), {classics[3], classics[10], classics[0]}, 0};
+    EquilibriumQuestion question{{{}, Criterion::parse(criterion)}, {classics[3], classics[10], classics[0]}, 0};
     ClassReplies beliefs = class_replies(question);
     for (const auto& first : classics)
       for (const auto& second : {classics[2], classics[10], classics.back()}) {

@@ -128,7 +128,7 @@ TEST(ClassGap, IsTheLeastOverMembersThatPlayAlongIn1000RandomPairs) {
       least = gain;
       name = member.name;
     }
-    ClassReplies beliefs(members, {}, criterion);
+    ClassReplies beliefs(members, {{}, criterion});
     const auto gap = class_gap(path, beliefs);
     ASSERT_TRUE(gap);
     ASSERT_EQ(*gap->exact, *least);
@@ -146,9 +146,9 @@ TEST(ClassGap, IsNothingWhereNoMemberPlaysAlong) {
   const Registry registry = Registry::standard();
   const auto all_c = registry.make("all_c");
   const auto criterion = Criterion::discounted(0.9);
-  ClassReplies beliefs({registry.make("all_d")}, {}, criterion);
+  ClassReplies beliefs({registry.make("all_d")}, {{}, criterion});
   EXPECT_FALSE(class_gap(play_path(*all_c.machine, *all_c.machine, criterion), beliefs));
-  ClassReplies empty({}, {}, criterion);
+  ClassReplies empty({}, {{}, criterion});
   EXPECT_FALSE(class_gap(play_path(*all_c.machine, *all_c.machine, criterion), empty));
 }
 
@@ -156,7 +156,7 @@ TEST(ClassGap, BoundsMembersWithoutEnd) {
   const Registry registry = Registry::standard();
   const auto all_c = registry.make("all_c");
   const auto at = [&](const Criterion& criterion) {
-    ClassReplies beliefs({registry.make("gradual")}, {}, criterion, 30);
+    ClassReplies beliefs({registry.make("gradual")}, {{}, criterion}, 30);
     return class_gap(play_path(*all_c.machine, *all_c.machine, criterion), beliefs);
   };
   EXPECT_EQ(at(Criterion::discounted(0.9))->depth, 30U);
@@ -186,7 +186,7 @@ TEST(ClassGap, TakesTheExactOneOfEqualGaps) {
   const Strategy spiteful = registry.make("spiteful");
   const Strategy tit_for_tat = registry.make("tit_for_tat");
   const auto gap_over = [&](std::vector<Strategy> members) {
-    ClassReplies beliefs(std::move(members), {}, criterion, 10);
+    ClassReplies beliefs(std::move(members), {{}, criterion}, 10);
     return *class_gap(play_path(*all_c.machine, *all_c.machine, criterion), beliefs);
   };
   const Gap bound = gap_over({counting});

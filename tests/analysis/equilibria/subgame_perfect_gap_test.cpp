@@ -81,7 +81,7 @@ TEST(SubgamePerfectGap, HoldsTheOneShotDeviationPrincipleBothWaysIn10000RandomPa
     const Automaton a = *tabulate(test::random_automaton(random, most, true), Sense::any_own_moves);
     const Automaton b = *tabulate(test::random_automaton(random, most, true), Sense::any_own_moves);
     const auto criterion = Criterion::parse(criteria[random() % criteria.size()]);
-    const auto [first, second] = subgame_perfect_gaps(a, b, {}, criterion);
+    const auto [first, second] = subgame_perfect_gaps(a, b, {{}, criterion});
     const Gains own = gains_by_value_iteration(a, b, criterion);
     const Gains theirs = gains_by_value_iteration(b, a, criterion);
     ASSERT_NEAR(first.gain, own.once, 1e-9) << i;
@@ -117,7 +117,7 @@ TEST(SubgamePerfectGap, OverUpTo5RoundsIsTheLargestOverAllHistoriesIn1000RandomP
     const Automaton b = test::random_automaton(random, 5, true);
     const auto criterion = Criterion::finite(rounds);
     const auto [first, second] = subgame_perfect_gaps(unroll(a, Sense::any_own_moves, rounds),
-                                                      unroll(b, Sense::any_own_moves, rounds), {}, criterion);
+                                                      unroll(b, Sense::any_own_moves, rounds), {{}, criterion});
     double own = 0;
     double theirs = 0;
     by_all_histories(a, b, a.start(), b.start(), rounds, own);
@@ -134,7 +134,7 @@ TEST(SubgamePerfectGap, IsWhatItsWitnessGainsIn1000RandomPairs) {
   for (int i = 0; i < 1000; ++i) {
     const Automaton a = test::random_automaton(random, 5, true);
     const Automaton b = test::random_automaton(random, 5, true);
-    const Gap gap = subgame_perfect_gaps(a, b, {}, criterion).second;
+    const Gap gap = subgame_perfect_gaps(a, b, {{}, criterion}).second;
     ASSERT_EQ(gap.gain > 0, gap.witness.deviation.has_value());
     if (!gap.witness.deviation) continue;
     State x = b.start();
@@ -166,8 +166,8 @@ TEST(SubgamePerfectGap, OfChanceAgreesWithTheExactOneOn1000PurePairs) {
     const Automaton a = test::random_automaton(random, 4, true);
     const Automaton b = test::random_automaton(random, 4, true);
     const auto criterion = Criterion::parse(criteria[random() % criteria.size()]);
-    const auto exact = subgame_perfect_gaps(a, b, {}, criterion);
-    const auto rounded = subgame_perfect_gaps(with_a_mixing_state(a), b, {}, criterion);
+    const auto exact = subgame_perfect_gaps(a, b, {{}, criterion});
+    const auto rounded = subgame_perfect_gaps(with_a_mixing_state(a), b, {{}, criterion});
     ASSERT_FALSE(rounded.first.exact);
     ASSERT_NEAR(exact.first.gain, rounded.first.gain, rounded.first.residual) << criterion.to_string();
     ASSERT_NEAR(exact.second.gain, rounded.second.gain, rounded.second.residual) << criterion.to_string();
@@ -177,12 +177,12 @@ TEST(SubgamePerfectGap, OfChanceAgreesWithTheExactOneOn1000PurePairs) {
 
 TEST(SubgamePerfectGap, RefusesWhatItCannotSolve) {
   const Automaton all_c({{1, {0, 0, 0, 0}}}, 0);
-  EXPECT_THROW(subgame_perfect_gaps(all_c, all_c, {}, Criterion::finite(1'000'000'000)), UsageError);
+  EXPECT_THROW(subgame_perfect_gaps(all_c, all_c, {{}, Criterion::finite(1'000'000'000)}), UsageError);
   EXPECT_THROW(
-      subgame_perfect_gaps(all_c, all_c, parse_payoffs("T=4503599627370497,R=3,P=1,S=0"), Criterion::finite(2)),
+      subgame_perfect_gaps(all_c, all_c, {parse_payoffs("T=4503599627370497,R=3,P=1,S=0"), Criterion::finite(2)}),
       UsageError);
   const Automaton two({{1, {0, 1, 0, 1}}, {0, {0, 1, 0, 1}}}, 0);
-  EXPECT_THROW(subgame_perfect_gaps(two, two, {}, Criterion::mean(), 2), UsageError);
+  EXPECT_THROW(subgame_perfect_gaps(two, two, {{}, Criterion::mean()}, 2), UsageError);
 }
 
 }  // namespace

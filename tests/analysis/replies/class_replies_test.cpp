@@ -11,7 +11,7 @@ namespace {
 TEST(ClassReplies, AreTheBestReplies) {
   const auto classics = Registry::standard().roster("classics");
   for (const auto& criterion : {Criterion::discounted(0.9), Criterion::finite(10)}) {
-    ClassReplies replies(classics, {}, criterion, 20);
+    ClassReplies replies(classics, {{}, criterion}, 20);
     for (std::size_t i = 0; i < classics.size(); ++i) {
       const BestReply fresh = best_reply(*classics[i].machine, {{}, criterion}, 20);
       EXPECT_EQ(replies.reply(i).exact, fresh.exact);
@@ -25,7 +25,7 @@ TEST(ClassReplies, AreTheBestReplies) {
 }
 
 TEST(ClassReplies, RefuseWhatHasNoExactReply) {
-  ClassReplies replies(Registry::standard().roster("gradual"), {}, Criterion::mean());
+  ClassReplies replies(Registry::standard().roster("gradual"), {{}, Criterion::mean()});
   EXPECT_EQ(replies.horizon(), 100U);
   EXPECT_THROW(replies.reply(0), UsageError);
   EXPECT_THROW(replies.table(0), UsageError);
@@ -34,7 +34,7 @@ TEST(ClassReplies, RefuseWhatHasNoExactReply) {
 /// Replies that are kept from pair to pair change no figure.
 TEST(ClassReplies, AreTheSameForAllPairsOfAQuestion) {
   const auto classics = Registry::standard().roster("classics");
-  const EquilibriumQuestion question{{}, Criterion::discounted(0.9), classics, 30};
+  const EquilibriumQuestion question{{{}, Criterion::discounted(0.9)}, classics, 30};
   ClassReplies kept = class_replies(question);
   for (const char* name : {"pavlov", "tit_for_tat", "gradual"}) {
     const auto machine = Registry::standard().make(name).machine;

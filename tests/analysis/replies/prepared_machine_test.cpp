@@ -33,7 +33,7 @@ TEST(PreparedMachine, HoldsWhatTheSlowWaysGive) {
     for (const char* name : {"pavlov", "tf2t", "gradual", "random(0.5)"}) {
       const auto machine = registry.make(name).machine;
       const Criterion rule = Criterion::parse(criterion);
-      PreparedMachine prepared(machine, {}, rule);
+      PreparedMachine prepared(machine, {{}, rule});
       EXPECT_EQ(prepared.endless(), !rule.is_finite() && !machine->finite());
       EXPECT_EQ(prepared.table(20), table_for(*machine, rule, Sense::own_moves_its_own, 20)) << name << criterion;
       const BestReply fresh = best_reply(*machine, {{}, rule}, 20);
@@ -53,7 +53,7 @@ TEST(PreparedMachine, HoldsWhatTheSlowWaysGive) {
 TEST(PreparedMachine, GoesThroughTheMachineOnceForEachSense) {
   const auto counted =
       std::make_shared<Counted>(*tabulate(*Registry::standard().make("pavlov").machine, Sense::any_own_moves));
-  PreparedMachine prepared(counted, {}, Criterion::discounted(0.7));
+  PreparedMachine prepared(counted, {{}, Criterion::discounted(0.7)});
   for (int time = 0; time < 3; ++time) {
     prepared.table();
     prepared.reply(10);  // no horizon counts for a finite machine
@@ -69,7 +69,7 @@ TEST(PreparedMachine, GoesThroughTheMachineOnceForEachSense) {
 }
 
 TEST(PreparedMachine, KeepsAHorizonApartWhereItCounts) {
-  PreparedMachine gradual(Registry::standard().make("gradual").machine, {}, Criterion::discounted(0.9));
+  PreparedMachine gradual(Registry::standard().make("gradual").machine, {{}, Criterion::discounted(0.9)});
   EXPECT_EQ(gradual.reply(10).horizon, 10U);
   EXPECT_EQ(gradual.reply(20).horizon, 20U);
   EXPECT_EQ(gradual.reply(10).horizon, 10U);
@@ -83,13 +83,13 @@ TEST(PreparedMachine, IsWholeWhateverTheCriterion) {
   const auto three_states = registry.make("per_ccd").machine;
   const Automaton whole = minimise(*tabulate(*three_states, Sense::any_own_moves), Sense::any_own_moves);
   for (const char* criterion : {"finite:2", "finite:100", "discounted:0.5", "mean"}) {
-    PreparedMachine asked_first(three_states, {}, Criterion::parse(criterion));
+    PreparedMachine asked_first(three_states, {{}, Criterion::parse(criterion)});
     EXPECT_EQ(*asked_first.whole(), whole) << criterion;
-    PreparedMachine asked_last(three_states, {}, Criterion::parse(criterion));
+    PreparedMachine asked_last(three_states, {{}, Criterion::parse(criterion)});
     asked_last.minimal();
     EXPECT_EQ(*asked_last.whole(), whole) << criterion;
   }
-  PreparedMachine gradual(registry.make("gradual").machine, {}, Criterion::finite(5));
+  PreparedMachine gradual(registry.make("gradual").machine, {{}, Criterion::finite(5)});
   EXPECT_EQ(gradual.whole(), nullptr);
 }
 
@@ -97,7 +97,7 @@ TEST(PreparedMachine, PlaysAsTheMachineDoes) {
   const Registry registry = Registry::standard();
   const auto played = [&](const char* name, const char* criterion) {
     const auto machine = registry.make(name).machine;
-    return std::pair{machine, PreparedMachine(machine, {}, Criterion::parse(criterion)).player()};
+    return std::pair{machine, PreparedMachine(machine, {{}, Criterion::parse(criterion)}).player()};
   };
   const auto [pavlov, small] = played("pavlov", "finite:100");
   EXPECT_EQ(*std::dynamic_pointer_cast<const Automaton>(small),
@@ -123,7 +123,7 @@ TEST(PreparedMachine, RefusesAgainWithoutTryingAgain) {
     mutable int begun = 0;
   };
   const auto tree = std::make_shared<Tree>();
-  PreparedMachine prepared(tree, {}, Criterion::finite(25));
+  PreparedMachine prepared(tree, {{}, Criterion::finite(25)});
   EXPECT_THROW(prepared.minimal(), UsageError);
   EXPECT_THROW(prepared.minimal(), UsageError);
   EXPECT_EQ(tree->begun, 1);
@@ -132,7 +132,7 @@ TEST(PreparedMachine, RefusesAgainWithoutTryingAgain) {
 TEST(PreparedMachines, AreOneAnAddress) {
   const Registry registry = Registry::standard();
   const auto pavlov = registry.make("pavlov").machine;
-  PreparedMachines machines({}, Criterion::mean());
+  PreparedMachines machines({{}, Criterion::mean()});
   EXPECT_EQ(&machines.of(pavlov), &machines.of(pavlov));
   EXPECT_NE(&machines.of(pavlov), &machines.of(registry.make("pavlov").machine));
   EXPECT_EQ(&machines.of(pavlov).machine(), pavlov.get());

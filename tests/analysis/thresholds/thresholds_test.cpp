@@ -324,7 +324,7 @@ void check_scan(const Case& pair, const Thresholds& found, const Rational& d) {
   const auto check = [&](const Threshold& threshold, double first, double second, std::optional<Gap> SideGaps::*gap) {
     const bool holds = threshold.set.contains(d);
     if (holds == !gains(first, second)) return;
-    if (!exact) exact = pair_gaps(pair.first, pair.second, {pair.payoffs, Criterion::discounted(d), {}});
+    if (!exact) exact = pair_gaps(pair.first, pair.second, {{pair.payoffs, Criterion::discounted(d)}, {}});
     EXPECT_FALSE(gains(first, second));  // a set may be less than rounding says, never more
     EXPECT_EQ(holds, *((exact->first.*gap)->exact) == 0 && *((exact->second.*gap)->exact) == 0);
   };

@@ -132,6 +132,64 @@ class Report(unittest.TestCase):
 
 
 @unittest.skipIf("FOLK_SANITIZED" in os.environ, "ten thousand thoughts of a transformer; sce_page_test has fewer")
+class Noise(unittest.TestCase):
+    """--noise P: every history is on the path, so that Nash, perfect and self-confirming are one."""
+
+    SMALL = ("--payoffs", "T=4,R=3,P=1,S=0", "--criterion", "discounted:0.9", "--noise", "0.01")
+
+    def test_pavlov_is_an_equilibrium_and_tit_for_tat_is_none(self):
+        report = check("pavlov", "pavlov", *self.SMALL, "--class", "classics")
+        self.assertEqual(report["noise"], 0.01)
+        verdicts = report["overall"]["verdicts"]
+        for notion in ("nash", "subgame_perfect", "self_confirming_unrestricted", "self_confirming_class"):
+            self.assertEqual(verdicts[notion]["word"], "certified", notion)
+        self.assertEqual(verdicts["self_confirming_class"]["witness"], "pavlov")
+        one = report["opponents"][0]
+        self.assertEqual((one["path"], one["thresholds"], one["figures"]), (None, None, "markov"))
+        gaps = itself("tit_for_tat", *self.SMALL)["gaps"]["own"]
+        self.assertGreater(gaps["nash"], 0.01)
+        self.assertGreater(gaps["subgame_perfect"], 0.01)
+        self.assertEqual(gaps["self_confirming_unrestricted"], gaps["nash"])
+
+    def test_head_of_text_and_page(self):
+        self.assertIn("discounted:0.9, noise 0.01, class pavlov", run("pavlov", "pavlov", *self.SMALL).stdout)
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(run("pavlov", "pavlov", *self.SMALL, "--output", folder).returncode, 0)
+            page = pathlib.Path(folder, "report.html").read_text(encoding="utf-8")
+            self.assertIn("<dt>noise</dt><dd>each move flips with probability 0.01</dd>", page)
+            self.assertEqual(json.loads(pathlib.Path(folder, "report.json").read_text())["noise"], 0.01)
+
+    def test_noise_0_changes_nothing(self):
+        for words in (("random(0.5)", "pavlov", "--criterion", "mean"), ("tit_for_tat", "pavlov", "--rounds", "20")):
+            for form in ("text", "csv", "json"):
+                plain = run(*words, "--format", form)
+                self.assertEqual(run(*words, "--noise", "0", "--format", form).stdout, plain.stdout)
+
+    def test_every_criterion_and_the_default_opponents(self):
+        for criterion in ("finite:20", "mean", "ending:0.1"):
+            report = check("tit_for_tat", "--noise", "0.1", "--criterion", criterion)
+            for one in report["opponents"]:
+                self.assertIsNotNone(one["gaps"]["own"]["nash"], one["opponent"])
+
+    def test_refusals(self):
+        player = 'exec("false")'
+        for words, part in ((("bayes(classics)", "all_d"), "bayes(classics) is played, not enumerated"),
+                            (("all_d", "bayes(classics)"), "bayes(classics) is played, not enumerated"),
+                            (("all_d", player), "is played, not enumerated: claims about it need noise 0"),
+                            (("all_d", "all_d", "--noise", "1"), "noise 1"),
+                            (("all_d", "all_d", "--noise", "1.5"), "--noise '1.5'"),
+                            (("all_d", "gradual", "--criterion", "mean"), "a pair that slips")):
+            noise = () if "--noise" in words else ("--noise", "0.1")
+            with tempfile.TemporaryDirectory() as folder:
+                output = pathlib.Path(folder, "report")
+                done = run(*words, *noise, "--output", output)
+                self.assertEqual(done.returncode, 2, words)
+                self.assertIn(part, done.stderr)
+                self.assertEqual(done.stderr.count("\n"), 1)
+                if part != "a pair that slips":
+                    self.assertFalse(output.exists())
+
+
 class Transformer(unittest.TestCase):
     """The shipped policy on a few opponents; the whole reports are in docs/."""
 
