@@ -14,8 +14,8 @@ namespace {
 
 class ExecPlayer final : public Player {
 public:
-  explicit ExecPlayer(ProgramCall call)
-      : program_(std::move(call), "act") {}
+  ExecPlayer(ProgramCall call, std::shared_ptr<IdlePrograms> idle)
+      : program_(std::move(call), "act", std::move(idle)) {}
 
   void start(const Layout& layout, const Block&, std::size_t agent, const Moment& moment) override {
     program_.run();
@@ -58,8 +58,9 @@ Force parse_force(std::string_view line) {
 
 Controller exec_controller(const ProgramCall& call) {
   check_call(call);
-  return {to_string(call), each([call](const Layout&, std::size_t) { return std::make_unique<ExecPlayer>(call); }),
-          true};
+  const auto idle = std::make_shared<IdlePrograms>();
+  return {to_string(call),
+          each([call, idle](const Layout&, std::size_t) { return std::make_unique<ExecPlayer>(call, idle); }), true};
 }
 
 }  // namespace folk::mpe

@@ -3,6 +3,7 @@
 
 #include <folk/games/error.h>
 #include <folk/strategies/programs/child_process.h>
+#include <folk/strategies/programs/idle_programs.h>
 #include <folk/strategies/programs/program_rules.h>
 
 #include <memory>
@@ -14,8 +15,9 @@ namespace folk {
 /// Runs the program of a call from the first question on. After any failure it begins anew with a fresh one.
 class AskedProgram {
 public:
-  /// `question` is the word that wants an answer, as messages name it: "move".
-  AskedProgram(ProgramCall call, std::string question);
+  /// `question` is the word that wants an answer, as messages name it: "move". `idle` holds programs of the same call
+  /// that wait; what took long to start goes there at the end and comes from there.
+  AskedProgram(ProgramCall call, std::string question, std::shared_ptr<IdlePrograms> idle = nullptr);
 
   /// Tells the program "end", unless finish did, and lets it go.
   ~AskedProgram();
@@ -23,7 +25,8 @@ public:
   AskedProgram(const AskedProgram&) = delete;
   AskedProgram& operator=(const AskedProgram&) = delete;
 
-  /// Starts the program unless it runs. Throws EnvironmentError when it cannot be started.
+  /// Starts the program unless it runs. Throws EnvironmentError when it cannot be started, and when one that waited has
+  /// spoken unasked meanwhile.
   void run();
   bool runs() const { return child_ != nullptr; }
 
@@ -46,19 +49,23 @@ public:
     }
   }
 
-  /// Tells the program "end" and waits for its end. Throws EnvironmentError when it has written more than it was asked
-  /// for.
+  /// Tells the program "end" and waits for its end, or leaves one that took long to start to the next player: then it
+  /// is only waited whether it says more. Throws EnvironmentError when it has written more than it was asked for.
   void finish();
 
 private:
   std::string answer(std::string_view line);
   void drop();
+  bool is_to_wait() const;
+  void leave_to_the_next();
+  [[noreturn]] void fail_for_more_lines() const;
 
   ProgramCall call_;
   std::string name_;
   std::string question_;
   std::unique_ptr<ChildProcess> child_;
   bool has_answered_ = false;
+  std::shared_ptr<IdlePrograms> idle_;
   std::string unsent_;
 };
 

@@ -78,7 +78,8 @@ std::string describe_end(const siginfo_t& end) {
 
 ChildProcess::ChildProcess(std::string name, const std::string& command, std::string question)
     : name_(std::move(name)),
-      question_(std::move(question)) {
+      question_(std::move(question)),
+      began_(Clock::now().time_since_epoch()) {
   try {
     Pipe input = open_pipe();
     Pipe output = open_pipe();
@@ -105,6 +106,7 @@ ChildProcess::~ChildProcess() {
 }
 
 void ChildProcess::send(std::string_view lines, milliseconds time_out) {
+  asked_ = Clock::now().time_since_epoch();
   const auto deadline = Clock::now() + time_out;
   while (!lines.empty()) {
     const ssize_t written = write_without_signal(to_child_, lines);
@@ -128,6 +130,7 @@ std::string ChildProcess::receive(milliseconds time_out, std::string_view hint) 
     if (end != std::string::npos) {
       std::string line = received_.substr(0, end);
       received_.erase(0, end + 1);
+      note_answer();
       return line;
     }
     if (!ready(from_child_, POLLIN, deadline))
@@ -135,6 +138,14 @@ std::string ChildProcess::receive(milliseconds time_out, std::string_view hint) 
                        seconds(time_out), question_, hint));
     if (!read_some()) fail_ended();
   }
+}
+
+void ChildProcess::note_answer() {
+  const auto now = Clock::now().time_since_epoch();
+  if (std::exchange(has_answered_, true))
+    slowest_answer_ = std::max(slowest_answer_, std::chrono::ceil<milliseconds>(now - asked_));
+  else
+    first_answer_took_ = std::chrono::floor<milliseconds>(now - began_);
 }
 
 bool ChildProcess::end(std::string_view lines, milliseconds time_out) {
@@ -155,8 +166,10 @@ bool ChildProcess::end(std::string_view lines, milliseconds time_out) {
   return !received_.empty();
 }
 
-bool ChildProcess::has_spoken() {
-  if (received_.empty() && ready(from_child_, POLLIN, Clock::now()) && !read_some()) fail_ended();
+bool ChildProcess::speaks_within(milliseconds time) {
+  const auto deadline = Clock::now() + time;
+  while (received_.empty() && ready(from_child_, POLLIN, deadline))
+    if (!read_some()) fail_ended();
   return !received_.empty();
 }
 

@@ -44,11 +44,20 @@ public:
   std::string receive(std::chrono::milliseconds time_out, std::string_view hint = {});
 
   /// True when the child has written something that was not received yet. Throws EnvironmentError when it ended.
-  bool has_spoken();
+  bool has_spoken() { return speaks_within(std::chrono::milliseconds(0)); }
+
+  /// True when it has, or does so in this time. Throws EnvironmentError when it ends.
+  bool speaks_within(std::chrono::milliseconds time);
 
   /// Writes the last lines, closes the child's stdin, and waits for the end of its output or `grace`: true when it has
   /// written something that was not received.
   bool end(std::string_view lines, std::chrono::milliseconds time_out);
+
+  /// From its start to its first line; 0 before it.
+  std::chrono::milliseconds first_answer_took() const { return first_answer_took_; }
+
+  /// The longest time between lines that were sent and a later line of its own, the first not counted.
+  std::chrono::milliseconds slowest_answer() const { return slowest_answer_; }
 
   /// Leaves the destructor nothing to wait for.
   void abandon() { abandoned_ = true; }
@@ -58,6 +67,7 @@ public:
 
 private:
   bool read_some();
+  void note_answer();
   [[noreturn]] void fail(const std::string& what) const;
   [[noreturn]] void fail_ended() const;
   bool wait_for_end(std::chrono::milliseconds limit) const;
@@ -69,6 +79,11 @@ private:
   FileDescriptor to_child_;
   FileDescriptor from_child_;
   std::string received_;
+  std::chrono::nanoseconds began_{};  // on a steady clock
+  std::chrono::nanoseconds asked_{};
+  bool has_answered_ = false;
+  std::chrono::milliseconds first_answer_took_{0};
+  std::chrono::milliseconds slowest_answer_{0};
   bool abandoned_ = false;
 };
 

@@ -13,8 +13,8 @@ namespace {
 
 class ExecPlayer final : public Player {
 public:
-  explicit ExecPlayer(ProgramCall call)
-      : program_(std::move(call), "move") {}
+  ExecPlayer(ProgramCall call, std::shared_ptr<IdlePrograms> idle)
+      : program_(std::move(call), "move", std::move(idle)) {}
 
   void start(const MatchStart& match) override {
     program_.run();
@@ -70,7 +70,9 @@ Reply parse_reply(std::string_view line) {
 Strategy exec_strategy(ProgramCall call) {
   check_call(call);
   Strategy strategy{to_string(call), nullptr,
-                    [call]() -> std::unique_ptr<Player> { return std::make_unique<ExecPlayer>(call); }};
+                    [call, idle = std::make_shared<IdlePrograms>()]() -> std::unique_ptr<Player> {
+                      return std::make_unique<ExecPlayer>(call, idle);
+                    }};
   strategy.deterministic = call.rules.deterministic;
   return strategy;
 }

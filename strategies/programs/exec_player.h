@@ -22,8 +22,9 @@ struct Reply {
 /// Throws UsageError on anything else.
 Reply parse_reply(std::string_view line);
 
-/// The strategy of a program. Each of its players starts its own `/bin/sh -c COMMAND` at its first match. A player
-/// throws EnvironmentError, naming the command, when the program cannot be started, ends early, is silent for too long,
+/// The strategy of a program. Each of its players starts its own `/bin/sh -c COMMAND` at its first match, or goes on
+/// with one that took long to start and that another player of the same strategy has finished with. A player throws
+/// EnvironmentError, naming the command, when the program cannot be started, ends early, is silent for too long,
 /// answers what is no move or speaks unasked (found before the next question, or by Player::finish); start() then
 /// begins anew with a fresh program. Throws UsageError as check_call does.
 Strategy exec_strategy(ProgramCall call);
