@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <ostream>
 #include <stdexcept>
+#include <utility>
 
 namespace folk {
 namespace {
@@ -207,6 +208,27 @@ Rational as_written(double number) { return parse_rational(fmt::format("{}", num
 std::string to_short_text(const Rational& value) {
   const double nearest = to_double(value);
   return std::isfinite(nearest) && value == as_written(nearest) ? fmt::format("{}", nearest) : to_text(value);
+}
+
+std::string to_short_text(double number) {
+  std::string decimal = fmt::format("{}", number);
+  constexpr std::size_t long_decimal = 12;
+  constexpr double most = 1e6;  // of a fraction's numbers
+  if (decimal.size() <= long_decimal || !(std::abs(number) < most)) return decimal;
+  // Continued fractions: the convergents are the nearest fractions of their size.
+  double above = 1, above_before = 0, below = 0, below_before = 1;
+  for (double rest = std::abs(number); below <= most;) {
+    const double whole = std::floor(rest);
+    above_before = std::exchange(above, whole * above + above_before);
+    below_before = std::exchange(below, whole * below + below_before);
+    if (above > most || below > most) break;
+    if (above / below == std::abs(number)) {
+      const std::string fraction = fmt::format("{}{:.0f}/{:.0f}", number < 0 ? "-" : "", above, below);
+      return fraction.size() < decimal.size() ? fraction : decimal;
+    }
+    rest = 1 / (rest - whole);
+  }
+  return decimal;
 }
 
 Rational parse_exact_number(std::string_view text, std::string_view what, double low, double high) {

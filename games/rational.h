@@ -101,6 +101,10 @@ Rational as_written(double number);
 /// "1e-07"), else to_text ("1/3"). What parse_rational gave is read back by it.
 std::string to_short_text(const Rational& value);
 
+/// A double as it is shown: the shortest decimal that reads back as it, or a fraction of small numbers where that is
+/// shorter than a long decimal ("0.1", "1/3").
+std::string to_short_text(double number);
+
 // How every number of an option, a strategy's parameter or a machine file is read: exactly, and only then rounded.
 
 /// Reads what parse_rational reads, but no '+', from `low` to `high`; `what` names it in the message. Throws

@@ -1,4 +1,5 @@
 #include <folk/games/error.h>
+#include <folk/games/file_descriptor.h>
 #include <folk/games/text_file.h>
 
 #include <fcntl.h>
@@ -43,40 +44,30 @@ fs::path behind_links(fs::path path) {
   return path;
 }
 
-fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
-
-/// An open file, closed at the end.
+/// A file that is open for writing; `shown` is what messages call it.
 class OpenFile {
 public:
   OpenFile(fs::path shown, int number)
       : shown_(std::move(shown)),
-        number_(number) {
-    if (number_ < 0) fail(shown_, reason(errno));
+        file_(number) {
+    if (number < 0) fail(shown_, reason(errno));
   }
-  ~OpenFile() { ::close(number_); }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
 
-  int number() const { return number_; }
+  int number() const { return file_.get(); }
 
   void write(std::string_view bytes) const {
-    while (!bytes.empty()) {
-      const ssize_t count = ::write(number_, bytes.data(), bytes.size());
-      if (count < 0 && errno == EINTR) continue;
-      if (count <= 0) fail(shown_, count < 0 ? reason(errno) : "the disk is full or failing");
-      bytes.remove_prefix(static_cast<std::size_t>(count));
-    }
+    if (const auto error = write_all(file_, bytes)) fail(shown_, error.message());
   }
 
   /// Waits until the disk has what was written, so that a name is never given to a file that a power cut leaves empty.
   /// Where a file system cannot say, so be it.
   void reach_the_disk() const {
-    if (::fsync(number_) != 0 && errno != EINVAL && errno != ENOSYS) fail(shown_, reason(errno));
+    if (::fsync(number()) != 0 && errno != EINVAL && errno != ENOSYS) fail(shown_, reason(errno));
   }
 
 private:
   fs::path shown_;
-  int number_;
+  FileDescriptor file_;
 };
 
 /// A file beside a target that nobody else can have guessed or laid there; it is gone at the end unless it was renamed.
@@ -130,16 +121,15 @@ bool is_temporary(const std::string& name) {
 
 /// True for a temporary file that nobody writes.
 bool is_left_over(const fs::path& path) {
-  const int file = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-  if (file < 0) return false;
-  const bool free = ::flock(file, LOCK_EX | LOCK_NB) == 0;
-  ::close(file);
-  return free;
+  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  return file.get() >= 0 && ::flock(file.get(), LOCK_EX | LOCK_NB) == 0;
 }
 
 bool is_special(const struct stat& status) { return !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode); }
 
 }  // namespace
+
+fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
 
 std::string read_file(const fs::path& path, std::size_t largest) {
   const std::string too_large =

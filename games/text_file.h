@@ -23,6 +23,9 @@ std::string read_text_file(const std::filesystem::path& path);
 /// read_file of what must be an ordinary file: a pipe or a device would be waited for. Throws InputFileError.
 std::string read_ordinary_file(const std::filesystem::path& path, std::size_t largest);
 
+/// The folder that a file lies in; "." for a bare name.
+std::filesystem::path folder_of(const std::filesystem::path& path);
+
 /// Throws EnvironmentError for what can be known before the work: that `path` is no name of a file, too long, a
 /// directory, or in a folder that is missing or may not be written to.
 void require_writable(const std::filesystem::path& path);

@@ -1,5 +1,5 @@
 #pragma once
-// Text in double quotes, as commands stand in a roster: exec:"CMD".
+// Text in double quotes, as commands and files stand in a roster: exec:"CMD", sct:"FILE".
 
 #include <cstddef>
 #include <string>

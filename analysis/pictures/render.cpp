@@ -1,6 +1,6 @@
 #include <folk/analysis/pictures/render.h>
+#include <folk/games/file_descriptor.h>
 #include <folk/games/text_file.h>
-#include <folk/strategies/programs/file_descriptor.h>
 #include <folk/strategies/programs/keeper.h>
 #include <folk/strategies/programs/pipes.h>
 #include <folk/strategies/programs/spawn.h>
@@ -40,13 +40,8 @@ FileDescriptor scratch_file() {
 /// A scratch file that is read from its beginning.
 FileDescriptor scratch_file_with(std::string_view text) {
   FileDescriptor file = scratch_file();
-  while (!text.empty()) {
-    const ssize_t written = ::write(file.get(), text.data(), text.size());
-    if (written >= 0)
-      text.remove_prefix(static_cast<std::size_t>(written));
-    else if (errno != EINTR)
-      throw EnvironmentError(fmt::format("a temporary file cannot be written: {}", reason(errno)));
-  }
+  if (const auto error = write_all(file, text))
+    throw EnvironmentError(fmt::format("a temporary file cannot be written: {}", error.message()));
   ::lseek(file.get(), 0, SEEK_SET);
   return file;
 }

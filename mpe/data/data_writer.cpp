@@ -27,14 +27,8 @@ constexpr std::size_t word = 8;
   throw EnvironmentError(fmt::format("{}: {}: {}", excerpt(path.string(), 1000), what, std::strerror(reason)));
 }
 
-void write_at(int file, const fs::path& path, std::string_view bytes, std::size_t place) {
-  while (!bytes.empty()) {
-    const auto count = ::pwrite(file, bytes.data(), bytes.size(), static_cast<off_t>(place));
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) fail(path, "cannot be written", count < 0 ? errno : ENOSPC);
-    bytes.remove_prefix(static_cast<std::size_t>(count));
-    place += static_cast<std::size_t>(count);
-  }
+void write_at(const FileDescriptor& file, const fs::path& path, std::string_view bytes, std::size_t place) {
+  if (const auto error = write_all_at(file, bytes, place)) fail(path, "cannot be written", error.value());
 }
 
 std::string read_at(int file, const fs::path& path, std::size_t size, std::size_t place) {
@@ -86,7 +80,7 @@ DataWriter::DataWriter(fs::path folder, const Scenario& scenario, sct::NpyType t
     const std::string header = npy_header_bytes(one.shape(scenario, rows), type);
     const std::size_t episode_bytes = scenario.episode_steps * one.width(scenario) * bytes_of(type);
     File file = opened(folder / one.name(), header.size(), episode_bytes, episodes);
-    write_at(file.descriptor.get(), file.path, header, 0);
+    write_at(file.descriptor, file.path, header, 0);
     total_bytes_ += header.size() + episode_bytes * episodes;
     files_.push_back(std::move(file));
   }
@@ -97,12 +91,12 @@ void DataWriter::write(std::size_t first, const RowBytes& rows) {
   std::vector<std::size_t> sizes;
   for (std::size_t f = 0; f < files_.size(); ++f) {
     const File& file = files_[f];
-    write_at(file.descriptor.get(), file.path, rows[f], file.begin + first * file.episode_bytes);
+    write_at(file.descriptor, file.path, rows[f], file.begin + first * file.episode_bytes);
     sizes.push_back(file.episode_bytes);
   }
   std::string words;
   for (const std::uint64_t signature : episode_signatures(rows, sizes)) sct::append_little_endian(words, signature);
-  write_at(journal_.descriptor.get(), journal_.path, words, first * word);
+  write_at(journal_.descriptor, journal_.path, words, first * word);
 }
 
 std::uint64_t DataWriter::signature(std::size_t episode) const {

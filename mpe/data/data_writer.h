@@ -1,10 +1,10 @@
 #pragma once
 // Writes the files of a data set, an episode's rows at their place, in any order and from any thread.
 
+#include <folk/games/file_descriptor.h>
 #include <folk/mpe/data/data_layout.h>
 #include <folk/mpe/data/episode_rows.h>
 #include <folk/sct/files/npy_file.h>
-#include <folk/strategies/programs/file_descriptor.h>
 
 #include <cstddef>
 #include <filesystem>

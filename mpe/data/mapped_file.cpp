@@ -1,6 +1,6 @@
 #include <folk/games/error.h>
+#include <folk/games/file_descriptor.h>
 #include <folk/mpe/data/mapped_file.h>
-#include <folk/strategies/programs/file_descriptor.h>
 
 #include <fcntl.h>
 #include <fmt/format.h>

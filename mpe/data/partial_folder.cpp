@@ -112,7 +112,7 @@ void PartialFolder::publish() {
   std::error_code ignored;
   fs::remove(target_ / "lock", ignored);
   sync(target_);
-  sync(target_.has_parent_path() ? target_.parent_path() : fs::path("."));  // which holds the name
+  sync(folder_of(target_));  // which holds the name
 }
 
 }  // namespace folk::mpe

@@ -1,7 +1,7 @@
 #pragma once
 // The folder in which something is made before it gets its name: DIR.partial, which becomes DIR when all is there.
 
-#include <folk/strategies/programs/file_descriptor.h>
+#include <folk/games/file_descriptor.h>
 
 #include <filesystem>
 #include <vector>

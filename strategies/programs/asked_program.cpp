@@ -19,7 +19,7 @@ constexpr milliseconds hearing{250};
 
 AskedProgram::AskedProgram(ProgramCall call, std::string question, std::shared_ptr<IdlePrograms> idle)
     : call_(std::move(call)),
-      name_(to_string(call_)),
+      name_(excerpt(to_string(call_), 1000)),
       question_(std::move(question)),
       idle_(std::move(idle)) {}
 

@@ -181,7 +181,9 @@ bool ChildProcess::read_some() {
   return count > 0 || (count < 0 && (errno == EINTR || errno == EAGAIN));
 }
 
-void ChildProcess::fail(const std::string& what) const { throw EnvironmentError(fmt::format("{}: {}", name_, what)); }
+void ChildProcess::fail(const std::string& what) const {
+  throw EnvironmentError(fmt::format("{}: {}", excerpt(name_, 1000), what));
+}
 
 void ChildProcess::fail_ended() const {
   siginfo_t end{};

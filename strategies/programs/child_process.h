@@ -1,7 +1,7 @@
 #pragma once
 // A shell command that runs beside us, with lines of text in both directions.
 
-#include <folk/strategies/programs/file_descriptor.h>
+#include <folk/games/file_descriptor.h>
 #include <folk/strategies/programs/keeper.h>
 
 #include <sys/types.h>

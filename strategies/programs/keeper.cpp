@@ -1,4 +1,4 @@
-#include <folk/strategies/programs/file_descriptor.h>
+#include <folk/games/file_descriptor.h>
 #include <folk/strategies/programs/keeper.h>
 #include <folk/strategies/programs/pipes.h>
 #include <folk/strategies/programs/spawn.h>

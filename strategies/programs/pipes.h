@@ -1,7 +1,7 @@
 #pragma once
 // Pipes to other programs.
 
-#include <folk/strategies/programs/file_descriptor.h>
+#include <folk/games/file_descriptor.h>
 
 #include <sys/types.h>
 

@@ -261,5 +261,18 @@ RC_GTEST_PROP(ParseNumber, ReadsEveryDoubleBack, (std::uint64_t bits)) {
   RC_ASSERT(to_double(as_written(number)) == number);
 }
 
+TEST(Rational, ADoubleIsShownAsTheFractionThatItWasMadeOfWhereItsDecimalIsLong) {
+  for (const char* text : {"0", "0.1", "0.25", "0.05", "1e-20", "0.123456789", "1/3", "2/7", "-5/9", "1/1024",
+                           "355/113", "0.1234567890123456", "123456.7890123456"}) {
+    const double number = to_double(parse_rational(text));
+    const std::string shown = to_short_text(number);
+    EXPECT_EQ(to_double(parse_rational(shown)), number) << text;
+    const bool is_long = std::string_view(text).size() >= 9;
+    const std::string expected = is_long ? shown : text == std::string("1/1024") ? "0.0009765625" : text;
+    EXPECT_EQ(shown, expected);
+  }
+  EXPECT_EQ(to_short_text(std::numeric_limits<double>::infinity()), "inf");
+}
+
 }  // namespace
 }  // namespace folk

@@ -1,3 +1,4 @@
+#include <folk/games/file_descriptor.h>
 #include <folk/games/text_file.h>
 
 #include <fcntl.h>
@@ -203,6 +204,34 @@ TEST_F(TextFile, KeepsLinksAndPermissions) {
   EXPECT_TRUE(fs::is_symlink(folder_ / "dangling"));
   EXPECT_EQ(read_text_file(folder_ / "made"), "new");
   EXPECT_EQ(fs::status(folder_ / "real").permissions(), fs::perms::owner_read | fs::perms::owner_write);
+}
+
+FileDescriptor unnamed_file() { return FileDescriptor(::open("/tmp", O_TMPFILE | O_RDWR | O_CLOEXEC, 0600)); }
+
+std::string content_of(const FileDescriptor& file) {
+  std::string text(64, '\0');
+  const ssize_t count = ::pread(file.get(), text.data(), text.size(), 0);
+  text.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+  return text;
+}
+
+TEST(FileDescriptor, AllIsWrittenWhereTheFileStandsOrAtAPlace) {
+  const FileDescriptor file = unnamed_file();
+  ASSERT_GE(file.get(), 0);
+  EXPECT_FALSE(write_all(file, "abc"));
+  EXPECT_FALSE(write_all(file, "def"));
+  EXPECT_FALSE(write_all_at(file, "XY", 2));
+  EXPECT_FALSE(write_all_at(file, "", 9));
+  EXPECT_EQ(content_of(file), "abXYef");
+}
+
+TEST(FileDescriptor, WhatCannotBeWrittenSaysWhy) {
+  const FileDescriptor full(::open("/dev/full", O_WRONLY | O_CLOEXEC));
+  ASSERT_GE(full.get(), 0);
+  EXPECT_EQ(write_all(full, "x"), std::errc::no_space_on_device);
+  const FileDescriptor for_reading(::open("/dev/null", O_RDONLY | O_CLOEXEC));
+  EXPECT_EQ(write_all(for_reading, "x"), std::errc::bad_file_descriptor);
+  EXPECT_EQ(write_all(FileDescriptor(), "x"), std::errc::bad_file_descriptor);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <folk/games/error.h>
 #include <folk/sct/policy/policy_file.h>
+#include <folk/strategies/quoted_text.h>
 
 #include <filesystem>
 #include <memory>
@@ -35,11 +36,6 @@ void add_shipped(Registry& registry, const std::string& name, std::string behavi
                                    name, excerpt(file.string(), 1000)));
                  return policy_strategy(name, file, options);
                });
-}
-
-std::string unquoted(std::string_view text) {
-  if (text.size() >= 2 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
-  return std::string(text);
 }
 
 }  // namespace

@@ -97,20 +97,20 @@ Html reading_list() {
 
 std::string study_page(const mpe::StudyTables& main, const mpe::StudyTables& second, const mpe::StudySettings& settings,
                        const DrawnPictures& pictures) {
-  Html body = element("h1", title) + "\n";
+  Html body = heading(1, title);
   body += element("p",
                   "The comparison of Li, Guevara, Xie & Zhu (arXiv 2310.04579) done again: learners of recorded play "
                   "against preys that they may never have seen.") +
           "\n";
   body += plan_list(settings);
-  body += element("h2", "What is done") + "\n";
+  body += heading(2, "What is done");
   body +=
       element("p", progress_words(main, second, settings) + "; numbers are trainings, or examinations of players.") +
       "\n";
   for (const auto* tables : {&main, &second})
-    body += element("h4", data_title(*tables)) + "\n" + progress_table(*tables, settings);
+    body += heading(4, data_title(*tables)) + progress_table(*tables, settings);
   if (!pictures.missing.empty()) body += element_of("p", "none", "No pictures: " + pictures.missing) + "\n";
-  body += element("h2", "How to read it") + "\n" + reading_list();
+  body += heading(2, "How to read it") + reading_list();
   body += data_section(main, pictures) + data_section(second, pictures);
   const Html head = Html::markup(
                         "<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, "

@@ -19,8 +19,6 @@ using mpe::StudyBlock;
 using mpe::StudyTables;
 using mpe::ToPaper;
 
-Html heading(int level, const Html& content) { return element(fmt::format("h{}", level), content) + "\n"; }
-Html paragraph(const Html& content) { return element("p", content) + "\n"; }
 Html small(const std::string& text) { return element_of("small", "beside", text); }
 Html nothing_run() { return element_of("span", "none", "not run"); }
 

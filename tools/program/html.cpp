@@ -2,6 +2,7 @@
 #include <folk/tools/program/html.h>
 
 #include <algorithm>
+#include <string>
 
 namespace folk::tools {
 namespace {
@@ -45,6 +46,10 @@ Html element(const std::string& name, const Html& content,
 Html element_of(const std::string& name, const std::string& css_class, const Html& content) {
   return element(name, content, {{"class", css_class}});
 }
+
+Html heading(int level, const Html& content) { return element("h" + std::to_string(level), content) + "\n"; }
+
+Html paragraph(const Html& content) { return element("p", content) + "\n"; }
 
 Html link(const std::string& id, const Html& content) { return element("a", content, {{"href", "#" + id}}); }
 

@@ -41,6 +41,10 @@ Html element(const std::string& name, const Html& content,
 /// The same of a class.
 Html element_of(const std::string& name, const std::string& css_class, const Html& content);
 
+/// A heading of level 1 to 6, and a paragraph; each ends its line.
+Html heading(int level, const Html& content);
+Html paragraph(const Html& content);
+
 /// A link to the element of this id in the same page.
 Html link(const std::string& id, const Html& content);
 

@@ -13,7 +13,7 @@ void require_writable(const std::filesystem::path& file, const std::string& opti
   } catch (const EnvironmentError& error) {
     throw EnvironmentError(fmt::format("{} {}", option, error.what()));
   }
-  remove_cut_off_writes(file.has_parent_path() ? file.parent_path() : ".");
+  remove_cut_off_writes(folder_of(file));
 }
 
 }  // namespace folk::tools

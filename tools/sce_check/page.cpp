@@ -92,11 +92,12 @@ Html question_list(const SceQuestion& question) {
   add("game", question.game.title + ", " + to_text(question.payoffs));
   add("criterion", question.criterion.to_string());
   if (question.noise > 0)
-    add("noise", fmt::format("each move flips with probability {}", question.noise.probability()));
+    add("noise", fmt::format("each move flips with probability {}", to_short_text(question.noise)));
   add("class of beliefs", fmt::format("{} ({} machine{})", question.class_spec, question.beliefs.size(),
                                       question.beliefs.size() == 1 ? "" : "s"));
   add("whose gains count", side_words(question.sides));
-  add("epsilon", fmt::format("belief {}, payoff {}", question.epsilon_belief, to_text(question.epsilon_payoff)));
+  add("epsilon",
+      fmt::format("belief {}, payoff {}", to_short_text(question.epsilon_belief), to_text(question.epsilon_payoff)));
   add("depth of its own search", std::to_string(question.depth));
   add("seed, repetitions", fmt::format("{}, {}", question.seed, question.repetitions));
   if (!question.left_out.empty()) add("left out, without end", fmt::format("{}", fmt::join(question.left_out, ", ")));
@@ -108,15 +109,15 @@ Html question_list(const SceQuestion& question) {
 /// Of all opponents together.
 Html overall_beliefs(const SceReport& report, const Pictures& pictures) {
   if (!report.belief) return {};
-  Html html = element("h2", "Beliefs") + "\n";
+  Html html = heading(2, "Beliefs");
   if (report.opponents.size() > 1) html += belief_list(*report.belief, report.effect);
   return html + element_of("div", "row", pictures.accuracy(report) + pictures.calibration(report)) + "\n";
 }
 
 Html body_of(const SceQuestion& question, const SceReport& report, const Pictures& pictures) {
   const bool several = report.opponents.size() > 1;
-  Html html = element("h1", page_title(question, report)) + "\n";
-  html += element("h2", several ? "Verdicts: the worst of all opponents" : "Verdicts") + "\n";
+  Html html = heading(1, page_title(question, report));
+  html += heading(2, several ? "Verdicts: the worst of all opponents" : "Verdicts");
   html += verdict_table(report.verdicts, several ? &report.worst : nullptr, report.belief.has_value());
   html += question_list(question);
   html += overall_beliefs(report, pictures);

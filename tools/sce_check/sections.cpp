@@ -15,10 +15,6 @@ constexpr std::size_t most_written_rounds = 2000;
 /// More situations are in report.json alone.
 constexpr std::size_t most_listed_situations = 100;
 
-Html paragraph(const Html& content) { return element("p", content) + "\n"; }
-
-Html heading(int level, const Html& content) { return element(fmt::format("h{}", level), content) + "\n"; }
-
 Html path_section(const OpponentReport& report) {
   Html html;
   if (report.path)

@@ -21,12 +21,8 @@ TrainingLog::TrainingLog(std::filesystem::path file, const sct::TrainingRun& run
     : file_(std::move(file)),
       held_out_(held_out) {
   write_file(file_, evaluation_table_so_far(run.history(), held_out_));
-  descriptor_ = ::open(file_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
-  if (descriptor_ < 0) fail(errno);
-}
-
-TrainingLog::~TrainingLog() {
-  if (descriptor_ >= 0) ::close(descriptor_);
+  descriptor_ = FileDescriptor(::open(file_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
+  if (descriptor_.get() < 0) fail(errno);
 }
 
 void TrainingLog::fail(int reason) const {
@@ -39,12 +35,12 @@ void TrainingLog::fail(int reason) const {
 void TrainingLog::evaluation(const sct::TrainingRun& run) {
   const std::string row = evaluation_row(run.history().back(), run.kept() + 1 == run.history().size());
   struct stat before {};
-  const bool known = ::fstat(descriptor_, &before) == 0 && S_ISREG(before.st_mode);
+  const bool known = ::fstat(descriptor_.get(), &before) == 0 && S_ISREG(before.st_mode);
   errno = 0;
-  const auto written = ::write(descriptor_, row.data(), row.size());
+  const auto written = ::write(descriptor_.get(), row.data(), row.size());
   if (written == static_cast<ssize_t>(row.size())) return;
   const int reason = written < 0 ? errno : 0;
-  if (known && ::ftruncate(descriptor_, before.st_size) != 0) fail(errno);
+  if (known && ::ftruncate(descriptor_.get(), before.st_size) != 0) fail(errno);
   fail(reason);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // The evaluations of a training run as a file that grows while it runs.
 
+#include <folk/games/file_descriptor.h>
 #include <folk/sct/training/training_run.h>
 
 #include <filesystem>
@@ -14,7 +15,6 @@ public:
   /// Replaces the file by what the run has behind it, nothing or the evaluations of its checkpoint. Throws
   /// EnvironmentError.
   TrainingLog(std::filesystem::path file, const sct::TrainingRun& run, bool held_out);
-  ~TrainingLog();
   TrainingLog(const TrainingLog&) = delete;
   TrainingLog& operator=(const TrainingLog&) = delete;
 
@@ -29,7 +29,7 @@ private:
 
   std::filesystem::path file_;
   bool held_out_;
-  int descriptor_ = -1;
+  FileDescriptor descriptor_;
 };
 
 }  // namespace folk::tools
