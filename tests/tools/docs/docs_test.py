@@ -3,10 +3,14 @@ programs; with FOLK_DOCS_UPDATE=1 the pages are rewritten instead.
 
 A command is a line of a fenced block that begins with "$ "; the lines up to the next are its output, in which a line of three dots
 stands for any lines; a command without any must only succeed. The commands of a page share a folder. Blocks that are opened with ```console long take minutes, or are about
-Folk's own scripts: they are not run."""
+Folk's own scripts: they are not run.
+
+Examples without output, indented lines of a page and those at the end of --help, must succeed too. Trainings, and what takes long or
+needs what they make, are run with --threads 0, which must be the first thing that is wrong with them."""
 
 import os
 import re
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -19,6 +23,11 @@ UPDATE = os.environ.get("FOLK_DOCS_UPDATE") == "1"
 BLOCK = re.compile(r"^```(.*)\n((?:(?!```).*\n)*)```$", re.MULTILINE)
 LONG = "console long"
 # What a page takes for granted.
+PROGRAMS = ("ipd-match", "ipd-strategies", "ipd-tournament", "mpe-evaluate", "mpe-train", "payoff-region", "sce-check", "sct-train",
+            "strategy-graph")
+VERBS = ("collect", "curve", "inspect", "offline", "online", "study")  # of mpe-train
+DRY = re.compile(r"sct-train|mpe-train (online|offline|study|collect|inspect)|sce-check (sct|policy\.bin)|ipd-tournament .*(sct:|exec:|--plot)|"
+                 r"payoff-region .*sct|mpe-evaluate .*(exec:|(mine|predators|sct)\.safetensors)")
 FILES = {"ipd-tournament.md": {"bad.machines": "machine bad\nc C c d\n"}}
 
 
@@ -46,6 +55,60 @@ def pattern(shown):
             text = re.sub(r"(?<=signature )[0-9a-f]{16}", "[0-9a-f]{16}", re.escape(line).replace(r"\ ", " "))
             lines.append(re.sub(r"^(  searched +)\d+", r"\1\\d+", text) + "[ ]*\n")
     return re.compile("".join(lines) + r"\n*\Z")
+
+
+def indented_examples(text):
+    """The commands of a page that are indented, outside of fenced blocks. A word in capitals stands for another: a form, no example."""
+    for line in re.sub(r"^```.*?^```$", "", text, flags=re.MULTILINE | re.DOTALL).split("\n"):
+        command = re.match(r"    ((?:%s) (?:\S| (?! ))+)" % "|".join(PROGRAMS), line)
+        if command and not re.search(r" [A-Z]+\b", command[1]):
+            yield command[1]
+
+
+def examples_of_help(words):
+    text = subprocess.run([BIN / words[0], *words[1:], "--help"], capture_output=True, text=True, check=True).stdout
+    examples = re.search(r"^Examples:\n((?:  .*\n)+)", text, re.MULTILINE)[1]
+    return [re.sub(r"  +#.*", "", line.strip()) for line in examples.rstrip("\n").split("\n")]
+
+
+class Examples(unittest.TestCase):
+    def folder_of_files(self):
+        """All that examples take for granted."""
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        folder = Path(scratch.name)
+        for name in ("examples", "tests", "data"):
+            (folder / name).symlink_to(TREE / name)
+        for name, source in (("my_player", "tit_for_tat"), ("my_model.py", "tit_for_tat"), ("my_prey", "particle_player")):
+            shutil.copy(TREE / "examples" / f"{source}.py", folder / name)
+            (folder / name).chmod(0o755)
+        (folder / "policy.bin").symlink_to(TREE / "data/policies/sct-bayes.bin")
+        (folder / "run.conf").write_text("hidden = 8\n")
+        for run in range(1, 4):
+            (folder / f"run-{run}.csv").symlink_to(TREE / "tests/fuzz/corpus/curve_file/two")
+        return folder
+
+    def test_all_do_what_they_should(self):
+        examples = [example for page in PAGES for example in indented_examples(page.read_text())]
+        self.assertGreater(len(examples), 10)
+        for program in PROGRAMS:
+            examples += examples_of_help([program])
+        for verb in VERBS:
+            examples += examples_of_help(["mpe-train", verb])
+        shown = {command for page in PAGES for info, block in BLOCK.findall(page.read_text()) if info != LONG
+                 for command, _ in commands(block)}
+        folder = self.folder_of_files()
+        for example in dict.fromkeys(examples):
+            if example in shown:
+                continue  # run with its page
+            with self.subTest(example=example):
+                if DRY.match(example):
+                    code, printed = run(f"{example} --threads 0", folder)
+                    self.assertEqual(code, 2, printed)
+                    self.assertIn("--threads '0'", printed)
+                else:
+                    code, printed = run(example, folder)
+                    self.assertEqual(code, 0, printed)
 
 
 class Docs(unittest.TestCase):
