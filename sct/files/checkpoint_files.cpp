@@ -5,7 +5,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -55,21 +54,24 @@ std::vector<fs::path> files_in(const fs::path& folder) {
 CheckpointFiles::CheckpointFiles(fs::path path)
     : path_(std::move(path)) {
   std::error_code error;
-  fs::create_directories(path_, error);
+  folder_.emplace(path_, error);
   if (!fs::is_directory(path_))
     fail(path_, fmt::format("cannot be made: {}; name another", error ? error.message() : "a file has its name"));
-  lock_ = ::open((path_ / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (lock_ < 0) fail(path_, fmt::format("cannot be written: {}; name another", std::strerror(errno)));
-  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
-    const int reason = errno;
-    ::close(lock_);
-    fail(path_, reason == EWOULDBLOCK ? "another run is using it; wait for its end or name another folder"
-                                      : fmt::format("cannot be locked: {}; name another", std::strerror(reason)));
-  }
+  lock_ = FileDescriptor(::open((path_ / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+  if (lock_.get() < 0) fail(path_, fmt::format("cannot be written: {}; name another", std::strerror(errno)));
+  if (::flock(lock_.get(), LOCK_EX | LOCK_NB) != 0)
+    fail(path_, errno == EWOULDBLOCK ? "another run is using it; wait for its end or name another folder"
+                                     : fmt::format("cannot be locked: {}; name another", std::strerror(errno)));
   remove_cut_off_writes(path_);
 }
 
-CheckpointFiles::~CheckpointFiles() { ::close(lock_); }
+CheckpointFiles::~CheckpointFiles() {
+  if (!folder_->made()) return;
+  std::error_code error;
+  int entries = 0;
+  for (fs::directory_iterator entry(path_, error), end; !error && entry != end; entry.increment(error)) ++entries;
+  if (!error && entries == 1) fs::remove(path_ / "lock", error);
+}
 
 std::vector<fs::path> CheckpointFiles::checkpoints() const {
   auto files = files_in(path_);

@@ -1,10 +1,14 @@
 #pragma once
 // A folder in which a training run keeps its last checkpoints, whatever they hold: DIR/step-1000.checkpoint.
 
+#include <folk/games/file_descriptor.h>
+#include <folk/sct/files/made_folder.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,7 +19,8 @@ namespace folk::sct {
 inline constexpr std::size_t largest_checkpoint = std::size_t{4} << 30U;
 
 /// Holds the folder's lock for as long as it lives: two runs in one folder would take each other's checkpoints away.
-/// The lock falls with the process, however that ends.
+/// The lock falls with the process, however that ends. A folder that it made and wrote no checkpoint into is gone with
+/// it.
 class CheckpointFiles {
 public:
   /// How many checkpoints are kept.
@@ -44,7 +49,8 @@ public:
 
 private:
   std::filesystem::path path_;
-  int lock_ = -1;
+  std::optional<MadeFolder> folder_;
+  FileDescriptor lock_;
 };
 
 }  // namespace folk::sct

@@ -221,7 +221,8 @@ std::string safetensors_header(const std::map<std::string, std::string>& metadat
     entry["data_offsets"] = {begin, begin + tensor.bytes};
     begin += tensor.bytes;
   }
-  std::string text = header.dump();
+  // Names of files stand in the texts, and these need be no UTF-8.
+  std::string text = header.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
   text.append((8 - text.size() % 8) % 8, ' ');
   if (text.size() > longest_safetensors_header)
     throw UsageError(fmt::format("a header of {} bytes, beyond {} MiB; shorten the texts, the roster above all",

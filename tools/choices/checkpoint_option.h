@@ -1,6 +1,7 @@
 #pragma once
 // The options that keep a training run: --checkpoint DIR and --resume.
 
+#include <folk/tools/program/output_folder.h>
 #include <folk/tools/program/program.h>
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 
 namespace folk::tools {
 
@@ -30,6 +32,9 @@ std::unique_ptr<Folder> checkpoint_folder(const po::variables_map& values, const
     return nullptr;
   }
   const std::filesystem::path path = text_option(values, "checkpoint");
+  if (path.empty()) throw UsageError("--checkpoint '': expected the name of a folder");
+  std::error_code error;  // says nothing that CheckpointFiles does not
+  if (!inside.empty()) make_folder(path, error);
   auto folder = std::make_unique<Folder>(inside.empty() ? path : path / inside);
   const auto found = folder->checkpoints();
   if (!found.empty() && !resume)
@@ -38,7 +43,7 @@ std::unique_ptr<Folder> checkpoint_folder(const po::variables_map& values, const
                     "name another folder",
                     excerpt(folder->path().string(), 1000), found.back().filename().string()));
   if (found.empty() && resume)
-    common.note(fmt::format("no checkpoint in {} yet: beginning with step 1", folder->path().string()));
+    common.note(fmt::format("no checkpoint in {} yet: beginning with step 1", excerpt(folder->path().string(), 1000)));
   return folder;
 }
 

@@ -40,7 +40,7 @@ struct Question {
 
   std::string settings() const {
     return fmt::format("{}, {}, noise {}", to_text(rules.payoffs), rules.criterion.to_string(),
-                       rules.noise.probability());
+                       to_short_text(rules.noise));
   }
 
   Json json() const {

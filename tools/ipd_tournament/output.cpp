@@ -60,7 +60,7 @@ std::string settings_line(const Tournament& tournament, const TournamentLabels& 
   const auto& settings = tournament.settings();
   std::string text =
       fmt::format("game {}, {}, noise {}, self-play {}, seed {}", game_words(labels.game, settings.payoffs),
-                  settings.criterion.to_string(), settings.noise.probability(),
+                  settings.criterion.to_string(), to_short_text(settings.noise),
                   settings.self_play ? "included" : "left out", settings.seed);
   if (sampled(tournament)) text += fmt::format(", repetitions {}", settings.repetitions.count());
   return text;

@@ -40,7 +40,7 @@ std::string type_name(const DataReport& report) {
 std::string made_by(const mpe::DataDescription& description) {
   std::string text = fmt::format("{} against {}", excerpt(description.predators, 200), excerpt(description.prey, 200));
   if (!description.level.empty()) text += fmt::format(" (level {})", excerpt(description.level));
-  if (description.noise > 0) text += fmt::format(", noise {}", description.noise);
+  if (description.noise > 0) text += fmt::format(", noise {}", to_short_text(description.noise));
   return text;
 }
 

@@ -116,6 +116,21 @@ LearnerChoice choice_of(const po::variables_map& values, const Common& common) {
   return choice;
 }
 
+/// The library names a setting; to who types, it is an option.
+template <class Work>
+auto with_option_names(const Work& work) {
+  try {
+    return work();
+  } catch (const UsageError& error) {
+    const std::string message = error.what();
+    const std::string name = message.substr(0, message.find_first_of(": "));
+    for (const char* option :
+         {"hidden", "layers", "batch", "learning-rate", "dropout", "loss", "readout", "conservatism", "imitation"})
+      if (name == option) throw UsageError("--" + message);
+    throw;
+  }
+}
+
 /// Where a run's results go.
 struct OfflineFiles {
   fs::path output, curve;
@@ -229,7 +244,7 @@ int offline(const po::variables_map& values, const Common& common) {
   rules.threads = choice.threads;
   const auto data = mpe::DataSet::open(text_option(values, "data"), rules);
   require_readable(least_bytes(choice));  // before it takes the memory
-  auto learner = mpe::make_learner(data, choice);
+  auto learner = with_option_names([&] { return mpe::make_learner(data, choice); });
   require_readable(learner->policy({}).size());
   const auto description = mpe::run_description(data, choice, *learner);
   OfflineTraining training(std::move(learner), description, mpe::learner_steps(data, choice));

@@ -187,6 +187,9 @@ int study(const po::variables_map& values, const Common& common) {
     write_status(std::cout, jobs, records, root);
     return done;
   }
+  if (values.count("tables") != 0 && records.empty())
+    throw UsageError(fmt::format("--tables: {} has no records of a study; give the folder of one that was begun",
+                                 excerpt(root.string(), 1000)));
   mpe::StudyFolder folder(root, players, FOLK_VERSION);
   if (values.count("tables") == 0) {
     const auto missing = mpe::missing_jobs(jobs, records);

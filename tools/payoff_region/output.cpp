@@ -124,7 +124,8 @@ std::string equilibria_text(const RegionReport& report) {
 }
 
 std::string set_text(const EquilibriumSet& set, const Digits& digits) {
-  std::string text = fmt::format("payoffs of pure-strategy subgame-perfect equilibria at d = {}: ", set.discount);
+  std::string text =
+      fmt::format("payoffs of pure-strategy subgame-perfect equilibria at d = {}: ", to_short_text(set.discount));
   if (set.corners.empty())
     return text +
            "none\n  there is no such equilibrium, whatever the players' threats; mixed stage equilibria are above\n";
@@ -140,7 +141,7 @@ std::string tournament_text(const RegionTournament& tournament) {
   std::string text = fmt::format(
       "tournament: {} strategies ({}{}), {}, noise {}, seed {}: {} pairs at {} points; --format csv lists them\n",
       tournament.strategies, tournament.roster, tournament.included.empty() ? "" : ", with " + tournament.included,
-      tournament.criterion, tournament.noise.probability(), tournament.seed, tournament.pairs.size(), distinct.size());
+      tournament.criterion, to_short_text(tournament.noise), tournament.seed, tournament.pairs.size(), distinct.size());
   text = visible_line(text);
   for (const auto& note : tournament.notes) text += visible_line("note: " + note + "\n");
   return text;

@@ -21,12 +21,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file rather than a name: it looks like a path, or there is such a file and no such strategy.
+/// A file rather than a name: no strategy is called so (sct:DIR/FILE, gtft(1/3)), and there is such a file or it looks
+/// like a path.
 bool is_file_name(const Registry& registry, const std::string& name) {
-  if (name.starts_with("@") || names_a_program(name)) return false;
-  if (name.find('/') != std::string::npos || name.ends_with(".bin") || name.ends_with(".safetensors")) return true;
+  if (name.starts_with("@") || names_a_program(name) || policy_file(name)) return false;
   std::error_code error;
-  if (!fs::is_regular_file(name, error)) return false;
+  const bool there = fs::is_regular_file(name, error);
+  const bool has_parameters = name.ends_with(')') && name.find('(') != std::string::npos;
+  const bool is_path = name.find('/') != std::string::npos && !has_parameters;
+  if (!there && !is_path && !name.ends_with(".bin") && !name.ends_with(".safetensors")) return false;
   try {
     registry.describe(name);
     return false;
@@ -46,7 +49,8 @@ LabelledItem policy_named(const std::string& name) {
 Rational epsilon_payoff(const po::variables_map& values) {
   const Rational epsilon = parse_rational(text_option(values, "epsilon-payoff", "0"));
   if (epsilon < 0)
-    throw UsageError(fmt::format("--epsilon-payoff '{}': expected 0 or more", text_option(values, "epsilon-payoff")));
+    throw UsageError(
+        fmt::format("--epsilon-payoff '{}': expected 0 or more", excerpt(text_option(values, "epsilon-payoff"))));
   return epsilon;
 }
 

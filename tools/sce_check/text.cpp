@@ -29,11 +29,11 @@ void write_header(std::ostream& out, const SceQuestion& question, const SceRepor
                                   report.opponents.size() == 1
                                       ? report.opponents.front().opponent
                                       : fmt::format("the {} of {}", report.opponents.size(), question.opponents_spec)));
-  const std::string noise = question.noise > 0 ? fmt::format(", noise {}", question.noise.probability()) : "";
+  const std::string noise = question.noise > 0 ? fmt::format(", noise {}", to_short_text(question.noise)) : "";
   out << fmt::format("game {} ({}), {}{}, class {}, epsilon-belief {}, epsilon-payoff {}, depth {}, seed {}\n",
                      shown_title(question.game.title), to_text(question.payoffs), question.criterion.to_string(), noise,
-                     visible_text(question.class_spec), question.epsilon_belief, to_text(question.epsilon_payoff),
-                     question.depth, question.seed);
+                     visible_text(question.class_spec), to_short_text(question.epsilon_belief),
+                     to_text(question.epsilon_payoff), question.depth, question.seed);
   if (!question.left_out.empty())
     out << visible_line(
         fmt::format("left out of the default opponents, machines without end: {}", fmt::join(question.left_out, ", ")));

@@ -284,6 +284,9 @@ TrainConfig train_config(const po::variables_map& values, const std::filesystem:
   if (!file.empty()) take_file(config, file);
   for (const auto& key : keys())
     if (values.count(key.name) != 0) key.set(config, values[key.name].as<std::string>(), "--" + key.name);
+  if (config.data_is_folder() && config.data_repetitions != TrainConfig{}.data_repetitions)
+    throw UsageError(fmt::format("data-repetitions = {}: the matches of a folder are played already; leave it out",
+                                 config.data_repetitions));
   if (config.has_teacher() && config.data_is_folder())
     throw UsageError("a teacher needs matches against its roster: give data = tournament or best-reply");
   if (config.regret_temperature > 0 && config.data == "best-reply")

@@ -235,6 +235,9 @@ RunFiles run_files(const po::variables_map& values, const Common& common, std::o
 }
 
 int sct_train(const po::variables_map& values, const Common& common) {
+  for (const char* file : {"config", "log"})
+    if (values.count(file) != 0 && text_option(values, file).empty())
+      throw UsageError(fmt::format("--{} '': expected the name of a file", file));
   const auto config = train_config(values, text_option(values, "config"));
   const auto threads = threads_option(values, common);
   const auto seeds = seeds_option(values);

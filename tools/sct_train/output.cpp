@@ -56,7 +56,7 @@ void write_text(std::ostream& out, const TrainReport& report) {
                      architecture.hidden, architecture.layers, architecture.heads, config.training.windows.context,
                      config.steps, config.training.windows.windows, config.training.seed);
   out << fmt::format("evaluations: targets {}, noise {}, repetitions {}, seed {}\n\n", config.targets,
-                     config.validation_noise, config.validation_repetitions, config.validation_seed);
+                     to_short_text(config.validation_noise), config.validation_repetitions, config.validation_seed);
   out << evaluations_table(report) << "\n";
   if (report.stopped_early)
     out << fmt::format("stopped at step {}: {} evaluations without a higher total\n", report.history.back().steps,

@@ -89,7 +89,7 @@ void write_seeds_text(std::ostream& out, const std::vector<TrainReport>& reports
                      architecture.hidden, architecture.layers, architecture.heads, config.training.windows.context,
                      config.steps, config.training.windows.windows, fmt::join(seeds_of(reports), ", "));
   out << fmt::format("evaluations: targets {}, noise {}, repetitions {}, seed {}{}\n\n", config.targets,
-                     config.validation_noise, config.validation_repetitions, config.validation_seed,
+                     to_short_text(config.validation_noise), config.validation_repetitions, config.validation_seed,
                      config.holds_out() ? fmt::format("; held out {}", config.held_out) : "");
   std::vector<std::string> header{"seed", "last step", "kept step", "target"};
   for (const auto& column : columns) header.push_back(column.heading);

@@ -262,7 +262,7 @@ class Refusals(Offline):
         for learner, options in lacks.items():
             for option in options.split():
                 cases.append((["--learner", learner, "--data", self.tag, f"--{option}", values.get(option, "0.5")], 2,
-                              f"{option}: {learner} has no such setting; leave it out"))
+                              f"--{option}: {learner} has no such setting; leave it out"))
         # Networks that no program could read again are not trained.
         for learner, *size in (("sct", "--hidden", 4096, "--layers", 16), ("ma-bcq", "--hidden", 4096), ("omar", "--hidden", 4096),
                                ("bc", "--hidden", 4096, "--layers", 15)):

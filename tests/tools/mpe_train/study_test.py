@@ -404,6 +404,12 @@ class Refusals(Study):
         self.assertTrue(run.stdout.endswith(f"\n0 of {JOBS} jobs done\n"))
         self.assertFalse((self.folder / "s").exists())
 
+    def test_tables_of_what_is_no_study(self):
+        self.one_line(study(self.folder / "s", "--tables"), 2, "s has no records of a study; give the folder of one that was begun")
+        (self.folder / "t").mkdir()
+        self.one_line(study(self.folder / "t", "--tables"), 2, "t has no records of a study")
+        self.assertEqual([str(path.relative_to(self.folder)) for path in self.folder.rglob("*")], ["t"])
+
     def test_data_of_another_study(self):
         root = self.folder / "s"
         done = subprocess.run([PROGRAM, "collect", "--scenario", "simple_tag", "--level", "expert", "--transitions", "2500", "--output",

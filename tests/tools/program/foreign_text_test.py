@@ -14,6 +14,7 @@ import xml.etree.ElementTree
 from pathlib import Path
 
 BIN = Path(os.environ["FOLK_BIN"])
+CORPUS = Path(__file__).resolve().parents[2] / "fuzz/corpus"
 TITLE = "first\nsecond\x1b[31m \u009b31m \u202etfel ]]> \u2028 end" + "." * 300
 NAMES = ["A\x1b[31m", "B\nb, \"B\""]
 ACTIONS = ["x\x1b[2J\uffff", "y\u0085]]>"]
@@ -90,6 +91,18 @@ class ForeignText(unittest.TestCase):
             self.assertIn(shown, self.shown(*arguments, what="csv"))
             out, _ = self.run_program(*arguments, "--format", "json")
             self.assertIn("caf\ufffd", json.dumps(json.loads(out), ensure_ascii=False))
+
+    def test_paths_in_policies(self):
+        """A policy notes of what it was trained, and names of files need be no UTF-8."""
+        prey, data = self.folder / os.fsdecode(b"caf\xe9.safetensors"), self.folder / os.fsdecode(b"s\xe9t")
+        shutil.copy(CORPUS / "particle_policy/prey", prey)
+        self.run_program("mpe-train", "online", "--scenario", "simple_world", "--prey", prey, "--episodes", "2", "--hidden", "4", "--batch", "4", "--memory", "1600", "--first-update", "25",
+                         "--evaluation-episodes", "1", "--output", self.folder / "online.safetensors")
+        self.run_program("mpe-train", "collect", "--scenario", "simple_world", "--predators", "lead_pursuit", "--prey", prey, "--transitions", "50", "--output", data)
+        self.run_program("mpe-train", "offline", "--learner", "bc", "--data", data, "--steps", "1", "--hidden", "4", "--layers", "1", "--batch", "2", "--output",
+                         self.folder / "bc.safetensors")
+        for policy in ("online", "bc"):
+            self.run_program("mpe-evaluate", "--predators", self.folder / f"{policy}.safetensors", "--scenario", "simple_world", "--prey", "still", "--episodes", "1")
 
     def test_refusals(self):
         for argument in (b"caf\xe9", "\u009b31m".encode(), "\u202eabc".encode(), b"a\x1b[31m"):

@@ -257,6 +257,24 @@ class BadInput(unittest.TestCase):
         self.assertEqual(done.stdout, "")
         return done.stderr
 
+    def test_a_name_with_a_slash_is_a_name(self):
+        for policy in ("gtft(1/3)", "x=gtft(1/3)", "mem1(c;1/2,0,1,0)"):
+            done = run(policy, "all_d", "--criterion", "mean")
+            self.assertEqual(done.returncode, 0, done.stderr)
+        done = run("gtft(1/0)", "all_d")
+        self.assertEqual(done.returncode, 2)
+        self.assertNotIn("no such file", done.stderr)
+        with tempfile.TemporaryDirectory() as folder:
+            done = run(f"sct:{folder}/none.bin", "all_d")
+            self.assertEqual((done.returncode, done.stderr), (3, f"sce-check: {folder}/none.bin: no such file; check the name\n"))
+
+    def test_what_is_refused_leaves_no_folder(self):
+        with tempfile.TemporaryDirectory() as folder:
+            output = pathlib.Path(folder, "a", "b")
+            done = run("sct", "all_d", "--rounds", "3", "--extract", "--sample", "--depth", "1", "--output", output)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertFalse(output.parent.exists())
+
     def test_policy_file_by_its_path(self):
         done = run("sct:nowhere.bin")
         self.assertEqual(done.returncode, 3)

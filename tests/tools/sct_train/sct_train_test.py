@@ -311,6 +311,21 @@ class Configuring(Training):
         self.file("file", "")
         self.refused(4, *SMALL, "--checkpoint", "file", says="name another")
 
+    def test_what_is_refused_leaves_no_folder(self):
+        for arguments in (("--roster", "tit_for_tut"), ("--roster", "tit_for_tut", "--seeds", "1..3"), ("--data", "best-reply", "--roster", "random(0.5)"),
+                          ("--roster", "tit_for_tat,all_d", "--held-out", "all_d"), ("--data", ".")):
+            with self.subTest(arguments=arguments):
+                done = self.run_program(*arguments, "--checkpoint", "a/run", "--steps", "1")
+                self.assertIn(done.returncode, (2, 3), done)
+                self.assertEqual(list(self.folder.iterdir()), [])
+        (self.folder / "run").mkdir()
+        self.refused(2, "--roster", "tit_for_tut", "--checkpoint", "run", says="unknown strategy")
+        self.assertTrue((self.folder / "run").is_dir())  # it was there before
+
+    def test_an_empty_name_is_no_file(self):
+        for option, kind in (("--config", "file"), ("--log", "file"), ("--output", "file"), ("--checkpoint", "folder")):
+            self.refused(2, *SMALL, option, "", says=f"{option} '': expected the name of a {kind}")
+
     def test_training_that_diverges_says_so(self):
         self.refused(2, "--hidden", "8", "--layers", "1", "--learning-rate", "1", "--weight-decay", "1000", "--warmup", "0",
                      "--steps", "400", "--evaluate-every", "1000", "--rounds", "10", says="training has diverged")
@@ -345,6 +360,8 @@ class Data(Training):
         self.trained("--data", "data/", "--hidden", "8", "--layers", "1", "--steps", "3", "--warmup", "0")
         self.assertEqual(self.policy(), expected)
         self.refused(2, "--data", "data", "--rounds", "3", says="have 2: leave rounds out")
+        self.refused(2, "--data", "data", "--data-repetitions", "4", says="data-repetitions = 4: the matches of a folder")
+        self.trained("--data", "data", "--data-repetitions", "1", "--hidden", "8", "--layers", "1", "--steps", "1")
 
     def test_regret_weights_need_names(self):
         """Which matches have the same opponent, and so who lost what, only the names say."""
