@@ -12,13 +12,17 @@ namespace {
 namespace utf = boost::locale::utf;
 
 /// What is not drawn, from - to.
-constexpr std::array<std::array<utf::code_point, 2>, 7> undrawn_ranges{{{0x00, 0x1F},
-                                                                        {0x7F, 0x9F},
-                                                                        {0x061C, 0x061C},
-                                                                        {0x200E, 0x200F},
-                                                                        {0x2028, 0x202E},
-                                                                        {0x2066, 0x2069},
-                                                                        {0xFFFE, 0xFFFF}}};
+constexpr std::array<std::array<utf::code_point, 2>, 11> undrawn_ranges{{{0x00, 0x1F},
+                                                                         {0x7F, 0x9F},
+                                                                         {0xAD, 0xAD},
+                                                                         {0x061C, 0x061C},
+                                                                         {0x200B, 0x200B},
+                                                                         {0x200E, 0x200F},
+                                                                         {0x2028, 0x202E},
+                                                                         {0x2060, 0x2064},
+                                                                         {0x2066, 0x2069},
+                                                                         {0xFEFF, 0xFEFF},
+                                                                         {0xFFFE, 0xFFFF}}};
 
 utf::code_point code_point(std::string_view character) {
   const char* begin = character.data();

@@ -16,9 +16,9 @@ std::vector<std::string_view> utf8_characters(std::string_view text);
 inline bool no_character(std::string_view part) { return part.size() == 1 && (part[0] & 0x80) != 0; }
 
 /// True for a character (as utf8_characters gives it) that is not drawn but acted on, by a terminal or by whatever
-/// splits text into lines and columns: control characters (also those from U+0080 on), the separators of lines and
-/// paragraphs, the marks that turn the direction of what follows, U+FFFE and U+FFFF, which XML has no place for; and
-/// for a byte that is no character.
+/// splits text into lines and columns: control characters (also those from U+0080 on), separators of lines and
+/// paragraphs, marks that turn the direction of what follows, marks that nobody sees (U+FEFF, which opens files, spaces
+/// of no width), U+FFFE and U+FFFF, which XML has no place for; and for a byte that is no character.
 bool undrawn(std::string_view character);
 
 /// Somebody else's text as it is shown, on one line and in well-formed UTF-8: \n, \r, \t, \x1b or \u{202e} stands for a

@@ -21,7 +21,7 @@ std::string box_fill(double share) {
 }  // namespace
 
 std::string to_dot(const FixationProbabilities& fixation, const std::vector<double>& distribution,
-                   const std::vector<std::string>& names, const std::string& title) {
+                   const std::vector<std::string>& names, const std::string& title, const Caption& caption) {
   const std::size_t n = fixation.strategies;
   if (n > most_drawn_fixations)
     throw UsageError(fmt::format("{} strategies are too many for a graph of fixation probabilities: at most {}", n,
@@ -31,10 +31,11 @@ std::string to_dot(const FixationProbabilities& fixation, const std::vector<doub
       "digraph fixation {{\n"
       "  bgcolor=white; pad=0.2; nodesep=0.5; ranksep=0.9;\n"
       "  {0}; fontsize=12; labelloc=b; label=\"\\n{1}\\narrow: from the mutant to the resident that it takes over, "
-      "where selection favours it,\\nwith N times the probability for a single one; dashed: neutral{2}\";\n"
+      "where selection favours it,\\nwith N times the probability for a single one; dashed: neutral{2}\n{3}\";\n"
       "  node [shape=box, style=\"rounded,filled\", {0}, fontsize=14, penwidth=1.2];\n"
       "  edge [arrowsize=0.7, {0}, fontsize=11];\n",
-      face, dot_text(title), distribution.empty() ? "" : "\\nshare: of the time, when mutations are rare");
+      face, dot_text(title), distribution.empty() ? "" : "\\nshare: of the time, when mutations are rare",
+      dot_text(caption_text(caption)));
   for (std::size_t i = 0; i < n; ++i) {
     const std::string share = distribution.empty() ? "" : fmt::format("\\n{:.1f} %", 100 * distribution[i]);
     text += fmt::format("  s{} [label=\"{}{}\", fillcolor=\"{}\"];\n", i, dot_text(names[i]), share,

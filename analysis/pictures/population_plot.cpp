@@ -78,15 +78,15 @@ void check(const PopulationPlot& plot) {
       throw UsageError("a picture of a population: a generation has not as many numbers as there are strategies");
 }
 
-Layout layout_of(const std::string& title, double legend) {
+Layout layout_of(const std::string& title, const Caption& caption, double legend) {
   Layout layout;
   layout.left = 84;
   layout.right = layout.left + 560;
   layout.top = 44;
   layout.bottom = layout.top + 340;
-  layout.width = std::max(layout.right + 24 + legend, title_width(title) + 28);
+  layout.width = layout.right + 24 + legend;
   layout.height = layout.bottom + 58;
-  return layout;
+  return with_words(layout, title, caption);
 }
 
 double legend_width(const PopulationPlot& plot, const Chosen& chosen) {
@@ -125,7 +125,7 @@ struct Way {
         rows(drawn_rows(
             plot.rows.size(), [&](std::size_t r) { return plot.rows[r].generation; }, logarithmic)),
         chosen(chosen_strategies(plot)),
-        layout(layout_of(plot.title, legend_width(plot, chosen))) {}
+        layout(layout_of(plot.title, plot.caption, legend_width(plot, chosen))) {}
 
   bool logarithmic;
   std::vector<std::size_t> rows;
@@ -147,7 +147,7 @@ std::string population_lines_script(const PopulationPlot& plot, PictureFormat fo
     }
   least = plot.shares ? std::clamp(least, 1e-6, 0.5) : 1;
   std::string text =
-      opening(format, way.layout, plot.title) +
+      opening(format, way.layout, plot.title, plot.caption) +
       way_axes(way.layout, plot.shares ? "share" : "individuals", way.logarithmic, plot.rows.back().generation) +
       legend(way.layout, format);
   text += fmt::format("set logscale y\nset yrange [{}:{}]\nset ytics format '{}'\n", least * 0.8,
@@ -200,7 +200,7 @@ std::string population_stack_script(const PopulationPlot& plot, PictureFormat fo
     most = std::max(most, sum);
   }
   std::string text =
-      opening(format, way.layout, plot.title) +
+      opening(format, way.layout, plot.title, plot.caption) +
       way_axes(way.layout, plot.shares ? "share" : "individuals", way.logarithmic, plot.rows.back().generation) +
       legend(way.layout, format);
   text += fmt::format("set yrange [0:{}]\nset ytics format '{}'\n$WAY << END_OF_WAY\n{}END_OF_WAY\n",
@@ -223,8 +223,8 @@ std::string cooperation_script(const CooperationPlot& plot, PictureFormat format
   if (plot.shares.empty()) throw UsageError("a picture of cooperation needs a generation");
   const std::uint64_t last = plot.shares.back().first;
   const bool logarithmic = last > long_way;
-  const Layout layout = layout_of(plot.title, 0);
-  std::string text = opening(format, layout, plot.title) + way_axes(layout, "cooperation, %", logarithmic, last);
+  const Layout layout = layout_of(plot.title, plot.caption, 0);
+  std::string text = opening(format, layout, plot.title, plot.caption) + way_axes(layout, "cooperation, %", logarithmic, last);
   text += "set yrange [0:100]\n$WAY << END_OF_WAY\n";
   for (const std::size_t r : drawn_rows(
            plot.shares.size(), [&](std::size_t i) { return plot.shares[i].first; }, logarithmic))
@@ -234,15 +234,15 @@ std::string cooperation_script(const CooperationPlot& plot, PictureFormat format
 }
 
 void draw_lines(const PopulationPlot& plot, const fs::path& path) {
-  draw_script(path, [&](PictureFormat format) { return population_lines_script(plot, format); });
+  draw_script(path, plot.title, [&](PictureFormat format) { return population_lines_script(plot, format); });
 }
 
 void draw_stack(const PopulationPlot& plot, const fs::path& path) {
-  draw_script(path, [&](PictureFormat format) { return population_stack_script(plot, format); });
+  draw_script(path, plot.title, [&](PictureFormat format) { return population_stack_script(plot, format); });
 }
 
 void draw(const CooperationPlot& plot, const fs::path& path) {
-  draw_script(path, [&](PictureFormat format) { return cooperation_script(plot, format); });
+  draw_script(path, plot.title, [&](PictureFormat format) { return cooperation_script(plot, format); });
 }
 
 }  // namespace folk

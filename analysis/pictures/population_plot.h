@@ -2,6 +2,7 @@
 // Populations over the generations: lines, a stack, and how much is cooperated; drawn by gnuplot.
 
 #include <folk/analysis/evolution/population_history.h>
+#include <folk/analysis/pictures/caption.h>
 #include <folk/analysis/pictures/render.h>
 
 #include <cstddef>
@@ -23,6 +24,7 @@ struct PopulationPlot {
   std::vector<PopulationHistory::Row> rows;  ///< generations in order
   std::string title;
   bool shares = false;  ///< shares that add up to 1, not individuals
+  Caption caption{};
 };
 
 /// Numbers as lines on a logarithmic axis; the generations too where there are many. The most_coloured that were most
@@ -36,6 +38,7 @@ std::string population_stack_script(const PopulationPlot& plot, PictureFormat fo
 struct CooperationPlot {
   std::vector<std::pair<std::uint64_t, double>> shares;  ///< generation, 0 to 1
   std::string title;
+  Caption caption{};
 };
 
 std::string cooperation_script(const CooperationPlot& plot, PictureFormat format);

@@ -67,10 +67,12 @@ std::string simplex_script(const SimplexPlot& plot, PictureFormat format) {
   layout.right = layout.left + 520;
   layout.top = 70;
   layout.bottom = layout.top + 520 * std::sqrt(3.0) / 2;
-  layout.width = std::max(layout.right + 110, title_width(plot.title) + 28);
+  layout.width = layout.right + 110;
   layout.height = layout.bottom + 78;
+  const double note = layout.height - 18;
+  layout = with_words(layout, plot.title, plot.caption);
 
-  std::string text = opening(format, layout, plot.title);
+  std::string text = opening(format, layout, plot.title, plot.caption);
   text += "set xrange [0:1]\nset yrange [0:sqrt(3)/2]\nunset border\nunset tics\n";
   text += "set palette defined (0 '#c6dbef', 0.5 '#4292c6', 1 '#08306b')\n";
   text += fmt::format("set cbrange [0:{}]\n", fastest > 0 ? fastest : 1);
@@ -86,7 +88,7 @@ std::string simplex_script(const SimplexPlot& plot, PictureFormat format) {
       "set label 'arrows: where the replicator equation leads; rings: nothing changes{}' at {},{} center font ',{}' "
       "textcolor rgb '#444444'\n",
       plot.way.empty() ? "" : "; line: the population, its end a dot", layout.x((layout.left + layout.right) / 2),
-      layout.y(layout.height - 18), note_font);
+      layout.y(note), note_font);
   std::vector<std::string> layers;
   if (!arrows.empty()) {
     text += "$ARROWS << END_OF_ARROWS\n" + arrows + "END_OF_ARROWS\n";
@@ -111,7 +113,7 @@ std::string simplex_script(const SimplexPlot& plot, PictureFormat format) {
 }
 
 void draw(const SimplexPlot& plot, const fs::path& path) {
-  draw_script(path, [&](PictureFormat format) { return simplex_script(plot, format); });
+  draw_script(path, plot.title, [&](PictureFormat format) { return simplex_script(plot, format); });
 }
 
 }  // namespace folk

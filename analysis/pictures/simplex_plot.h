@@ -2,6 +2,7 @@
 // Three strategies as a triangle: where selection leads from every mixture, and the way a population went; drawn by
 // gnuplot.
 
+#include <folk/analysis/pictures/caption.h>
 #include <folk/analysis/pictures/render.h>
 
 #include <array>
@@ -19,6 +20,7 @@ struct SimplexPlot {
   std::array<std::array<double, 3>, 3> payoffs;  ///< row against column
   std::vector<Mixture> way;                      ///< drawn as a line with a circle at its end, where there is one
   std::string title;
+  Caption caption{};
 };
 
 /// The velocity of the replicator equation, p_i (f_i - phi) with f_i = sum_j a_ij p_j, phi = sum_i p_i f_i (Taylor &

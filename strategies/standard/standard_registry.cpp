@@ -312,7 +312,7 @@ void add_forms(Registry& registry, FileReader read) {
           if (hash == std::string_view::npos || name_key(name) == name_key(item.substr(hash + 1)))
             found.push_back(strategy(name, std::move(machine)));
         if (found.empty())
-          throw InputFileError(fmt::format("{}: no machine of that name ({})", source, item.substr(hash + 1)));
+          throw InputFileError(fmt::format("{}: no machine of that name ({})", source, excerpt(item.substr(hash + 1))));
         return found;
       });
   for (const char* form : {":\"CMD\"", "(\"CMD\";...)"})

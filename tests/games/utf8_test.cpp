@@ -76,6 +76,7 @@ TEST(Utf8, WhatIsNotDrawnIsShownByAnEscape) {
   EXPECT_EQ(visible_text("\xC2\x9B\xC2\x85\xE2\x80\xA8\xE2\x80\xA9\xE2\x80\xAE\xE2\x81\xA6"),
             R"(\u{9b}\u{85}\u{2028}\u{2029}\u{202e}\u{2066})");
   EXPECT_EQ(visible_text("caf\xE9 \xE2\x82"), R"(caf\xe9 \xe2\x82)");
+  EXPECT_EQ(visible_text("3\xEF\xBB\xBF \xE2\x80\x8B\xC2\xAD\xE2\x80\x8D"), "3\\u{feff} \\u{200b}\\u{ad}\xE2\x80\x8D");
   EXPECT_EQ(visible_text("\xEF\xBF\xBE\xEF\xBF\xBD"), "\\u{fffe}\xEF\xBF\xBD");
 }
 

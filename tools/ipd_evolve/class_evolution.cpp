@@ -71,8 +71,8 @@ std::vector<GenerationSummary> summaries_of(const Evolution& evolution) {
 void write_text(std::ostream& out, const ClassEvolution& report) {
   const auto& state = report.evolution.state();
   out << fmt::format("All {} members of {} evolve\n", report.size(), report.members.name());
-  out << visible_line(fmt::format("game {} ({}), {}, noise 0", shown_title(report.game.title),
-                                  to_text(report.game.payoffs), report.criterion.to_string()));
+  out << visible_line(fmt::format("game {}, {}, noise 0", game_words(report.game.title, report.game.payoffs),
+                                  report.criterion.to_string()));
   out << fmt::format("ecological competition; {} of each at the start\n", report.each);
   out << fmt::format("{}: {} of {} members are left, {} of {} individuals, cooperation {:.2f} %\n\n",
                      how_it_ended(report.evolution), living(state.population), report.size(),

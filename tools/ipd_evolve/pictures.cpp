@@ -29,6 +29,7 @@ SimplexPlot simplex_of(const EvolutionReport& report) {
   const auto& scores = *report.played.scores;
   SimplexPlot plot;
   plot.title = title_of(report.played, report.question.model);
+  plot.caption = report.played.caption;
   for (std::size_t i = 0; i < 3; ++i) {
     plot.names[i] = scores.names()[i];
     for (std::size_t j = 0; j < 3; ++j) plot.payoffs[i][j] = scores.payoff(i, j);
@@ -61,12 +62,14 @@ void draw_evolution(const fs::path& folder, const EvolutionReport& report, const
   for (const auto& entry : evolution.ranking()) plot.ranking.push_back(entry.entrant);
   plot.rows = evolution.state().history.rows();
   plot.title = title_of(report.played, report.question.model);
+  plot.caption = report.played.caption;
   plot.shares = report.question.dynamics->has_shares();
   draw_lines(plot, folder / ("populations." + extension));
   draw_stack(plot, folder / ("stack." + extension));
   if (report.played.scores->has_cooperation()) {
     CooperationPlot cooperation;
     cooperation.title = plot.title;
+    cooperation.caption = plot.caption;
     for (const auto& [generation, population] : plot.rows)
       cooperation.shares.emplace_back(generation, report.cooperation(population).value_or(0));
     draw(cooperation, folder / ("cooperation." + extension));
@@ -86,14 +89,14 @@ void draw_fixation(const fs::path& folder, const FixationReport& report, const s
   const auto title =
       fmt::format("{}, N = {}", title_of(report.played, report.question.rules.text()), report.fixation.population);
   if (names.size() <= most_drawn_fixations) {
-    render_dot(to_dot(report.fixation, report.distribution, names, title), path, format_of(extension));
+    render_dot(to_dot(report.fixation, report.distribution, names, title, report.played.caption), path, format_of(extension), title);
     return;
   }
   const auto value = [&](std::size_t resident, std::size_t mutant) {
     if (resident == mutant) return std::numeric_limits<double>::quiet_NaN();
     return std::max(std::log10(report.fixation.ratio(mutant, resident)), -12.0);
   };
-  draw(HeatMap{names, value, title + "; residents in rows", "log10 of N x probability", std::nullopt}, path);
+  draw(HeatMap{names, value, title + "; residents in rows", "log10 of N x probability", std::nullopt, report.played.caption}, path);
 }
 
 }  // namespace folk::tools

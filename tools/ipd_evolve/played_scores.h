@@ -2,6 +2,7 @@
 // What a population is driven by: the scores of a tournament, and what the output says of them.
 
 #include <folk/analysis/evolution/score_matrix.h>
+#include <folk/analysis/pictures/caption.h>
 
 #include <memory>
 #include <string>
@@ -17,6 +18,7 @@ struct PlayedScores {
   std::string line;                                          ///< what was played, for the eye
   std::vector<std::pair<std::string, std::string>> members;  ///< the same for JSON: names and values as JSON
   std::vector<std::string> caveats;
+  Caption caption{};  ///< of pictures
 };
 
 /// A text as JSON has it.

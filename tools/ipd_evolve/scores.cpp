@@ -35,8 +35,9 @@ PlayedScores played(Tournament tournament, const ChosenGame& game, const po::var
   found.scores = std::make_shared<ScoreMatrix>(tournament);
   const auto included = text_option(values, "include");
   found.roster = text_option(values, "strategies") + (included.empty() ? "" : ", with " + included);
-  found.line = fmt::format("game {} ({}), {}, noise {}", shown_title(game.title), to_text(settings.payoffs),
-                           settings.criterion.to_string(), settings.noise.probability());
+  const std::string words = game_words(game.title, settings.payoffs);
+  found.line = fmt::format("game {}, {}, noise {}", words, settings.criterion.to_string(), to_short_text(settings.noise));
+  found.caption = {words, settings.criterion.to_string(), settings.noise};
   bool sampled = false;
   for (const auto& entry : tournament.ranking()) sampled = sampled || entry.method == Method::sampled;
   if (sampled) found.line += fmt::format(", repetitions {}", settings.repetitions.count());

@@ -24,7 +24,7 @@ void hand_over(std::ostream& out, fmt::memory_buffer& rows, std::size_t from) {
 
 /// What was played, for text.
 std::string game_line(const Payoffs& payoffs, const Criterion& criterion, const ClassLabels& labels) {
-  return fmt::format("game {} ({}), {}, noise 0", shown_title(labels.game), to_text(payoffs), criterion.to_string());
+  return fmt::format("game {}, {}, noise 0", game_words(labels.game, payoffs), criterion.to_string());
 }
 
 /// The same as members of a JSON object, without the braces.

@@ -110,7 +110,7 @@ std::optional<PictureChoice> chosen_pictures(const po::variables_map& values, st
   }
   const auto extension = text_option(values, "plot");
   if (extension != "svg" && extension != "png" && extension != "pdf")
-    throw UsageError(fmt::format("--plot '{}': expected svg, png or pdf", extension));
+    throw UsageError(fmt::format("--plot '{}': expected svg, png or pdf", excerpt(extension)));
   if (values.count("output") == 0) throw UsageError("--plot needs a folder for its pictures: give --output DIR");
   require_pictures(strategies, values.count("invasion") != 0);
   return PictureChoice{extension, scale};

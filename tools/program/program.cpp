@@ -147,7 +147,7 @@ int run_parsed(const Program& program, const std::string& command, const po::var
   if (!formats.empty()) {
     const auto name = values["format"].as<std::string>();
     if (std::find(formats.begin(), formats.end(), name) == formats.end())
-      throw UsageError(fmt::format("--format '{}': expected {}", name, fmt::join(formats, ", ")));
+      throw UsageError(fmt::format("--format '{}': expected {}", excerpt(name), fmt::join(formats, ", ")));
     common.format = format_named(name);
   }
   return body(values, common);
