@@ -12,7 +12,8 @@ namespace folk {
 /// More strategies than this make no readable graph.
 inline constexpr std::size_t most_drawn_fixations = 12;
 
-/// The DOT text of `fixation` among strategies of these names; `title` comes first in the words below it, the caption last.
+/// The DOT text of `fixation` among strategies of these names; `title` comes first in the words below it, the caption
+/// last.
 ///
 /// As in the graph of invasions an arrow leads from the mutant to the resident that it takes over. It is drawn where
 /// selection favours that, with N times the probability beside it, thicker where that is more; dashed with two heads

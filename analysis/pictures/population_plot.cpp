@@ -224,7 +224,8 @@ std::string cooperation_script(const CooperationPlot& plot, PictureFormat format
   const std::uint64_t last = plot.shares.back().first;
   const bool logarithmic = last > long_way;
   const Layout layout = layout_of(plot.title, plot.caption, 0);
-  std::string text = opening(format, layout, plot.title, plot.caption) + way_axes(layout, "cooperation, %", logarithmic, last);
+  std::string text =
+      opening(format, layout, plot.title, plot.caption) + way_axes(layout, "cooperation, %", logarithmic, last);
   text += "set yrange [0:100]\n$WAY << END_OF_WAY\n";
   for (const std::size_t r : drawn_rows(
            plot.shares.size(), [&](std::size_t i) { return plot.shares[i].first; }, logarithmic))

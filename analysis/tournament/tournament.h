@@ -86,8 +86,8 @@ public:
   std::size_t behaviours() const { return behaviours_; }
   std::size_t behaviour(std::size_t i) const { return behaviour_of_[i]; }
 
-  /// score(i, j) times the least common denominator of the payoffs (analysis/play/whole_payoffs.h): a whole number where
-  /// the score is exact.
+  /// score(i, j) times the least common denominator of the payoffs (analysis/play/whole_payoffs.h): a whole number
+  /// where the score is exact.
   double scaled_score(std::size_t i, std::size_t j) const { return scores_[cell(i, j)]; }
 
   /// Best first; equal totals in roster order.

@@ -89,14 +89,17 @@ void draw_fixation(const fs::path& folder, const FixationReport& report, const s
   const auto title =
       fmt::format("{}, N = {}", title_of(report.played, report.question.rules.text()), report.fixation.population);
   if (names.size() <= most_drawn_fixations) {
-    render_dot(to_dot(report.fixation, report.distribution, names, title, report.played.caption), path, format_of(extension), title);
+    render_dot(to_dot(report.fixation, report.distribution, names, title, report.played.caption), path,
+               format_of(extension));
     return;
   }
   const auto value = [&](std::size_t resident, std::size_t mutant) {
     if (resident == mutant) return std::numeric_limits<double>::quiet_NaN();
     return std::max(std::log10(report.fixation.ratio(mutant, resident)), -12.0);
   };
-  draw(HeatMap{names, value, title + "; residents in rows", "log10 of N x probability", std::nullopt, report.played.caption}, path);
+  draw(HeatMap{names, value, title + "; residents in rows", "log10 of N x probability", std::nullopt,
+               report.played.caption},
+       path);
 }
 
 }  // namespace folk::tools

@@ -36,7 +36,8 @@ PlayedScores played(Tournament tournament, const ChosenGame& game, const po::var
   const auto included = text_option(values, "include");
   found.roster = text_option(values, "strategies") + (included.empty() ? "" : ", with " + included);
   const std::string words = game_words(game.title, settings.payoffs);
-  found.line = fmt::format("game {}, {}, noise {}", words, settings.criterion.to_string(), to_short_text(settings.noise));
+  found.line =
+      fmt::format("game {}, {}, noise {}", words, settings.criterion.to_string(), to_short_text(settings.noise));
   found.caption = {words, settings.criterion.to_string(), settings.noise};
   bool sampled = false;
   for (const auto& entry : tournament.ranking()) sampled = sampled || entry.method == Method::sampled;
