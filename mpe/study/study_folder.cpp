@@ -39,7 +39,8 @@ StudyFolder::StudyFolder(fs::path root, fs::path players, std::string folk_versi
     : root_(std::move(root)),
       players_(std::move(players)),
       folk_version_(std::move(folk_version)) {
-  for (const char* part : {"records", "work/data", "work/runs", "work/policies"}) make_folder(root_ / part);
+  for (const char* part : {"records", "work/data", "work/runs", "work/policies", "work/lock"})
+    make_folder(root_ / part);
   lock_ = std::make_unique<sct::CheckpointFiles>(root_ / "work" / "lock");
   for (const char* part : {"", "records", "work/policies", "latex", "pictures"}) remove_cut_off_writes(root_ / part);
   // A job that was cut off between its record and its end.

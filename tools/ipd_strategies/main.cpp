@@ -300,7 +300,8 @@ int answer(const po::variables_map& values, const Common& common) {
   if (command == "show") throw UsageError("show takes one name: ipd-strategies show pavlov");
   if (command == "diff") throw UsageError("diff takes two names: ipd-strategies diff spiteful mem11_cCDDD");
   if (command == "reply") throw UsageError("reply takes one SPEC of opponents: ipd-strategies reply pavlov");
-  throw UsageError(fmt::format("'{}': expected list, show NAME, diff A B, reply OPPONENTS or champion", excerpt(command)));
+  throw UsageError(
+      fmt::format("'{}': expected list, show NAME, diff A B, reply OPPONENTS or champion", excerpt(command)));
 }
 
 }  // namespace

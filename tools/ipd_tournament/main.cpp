@@ -41,7 +41,7 @@ Program program() {
                       "ipd-tournament --include @examples/my_strategies.machines --noise 0.01 --output results --plot",
                       "ipd-tournament --strategies 'memory(1,2)' --rounds 1000 --format csv",
                       "ipd-tournament --strategies 'memory(2,2)' --rounds 1000 --output results",
-                      "ipd-tournament --class 'memory(3,3)' --entrants classics,winner12 --rounds 1000",
+                      "ipd-tournament --class 'memory(3,3)' --entrants tit_for_tat,pavlov,winner12",
                       "ipd-tournament --criterion discounted:0.9 --payoffs T=4,R=3,P=1,S=0 --format json"};
   auto add = program.options.add_options();
   const auto text = [] { return po::value<std::string>(); };

@@ -26,7 +26,7 @@ LONG = "console long"
 PROGRAMS = ("ipd-match", "ipd-strategies", "ipd-tournament", "mpe-evaluate", "mpe-train", "payoff-region", "sce-check", "sct-train",
             "strategy-graph")
 VERBS = ("collect", "curve", "inspect", "offline", "online", "study")  # of mpe-train
-DRY = re.compile(r"sct-train|mpe-train (online|offline|study|collect|inspect)|sce-check (sct|policy\.bin)|ipd-tournament .*(sct:|exec:|--plot)|"
+DRY = re.compile(r"sct-train|mpe-train (online|offline|study|collect|inspect)|sce-check (sct|policy\.bin)|ipd-tournament .*(sct:|exec:|--plot)|ipd-evolve --strategies 'memory.2,2.'|"
                  r"payoff-region .*sct|mpe-evaluate .*(exec:|(mine|predators|sct)\.safetensors)")
 FILES = {"ipd-tournament.md": {"bad.machines": "machine bad\nc C c d\n"}}
 
@@ -150,7 +150,7 @@ class Docs(unittest.TestCase):
         for page in PAGES:
             for info, block in BLOCK.findall(page.read_text()):
                 for command, _ in commands(block) if info == LONG else ():
-                    self.assertRegex(command, r"^(scripts/|mpe-train |sct-train |mpe-evaluate --predators sct\.|cat |ls |rm |sce-check (sct|@report/)|ipd-tournament (.*(sct:small|@report/)|--class 'memory.4,4.)|ipd-strategies champion --class 'memory.3,3.)")
+                    self.assertRegex(command, r"^(scripts/|mpe-train |sct-train |mpe-evaluate --predators sct\.|cat |ls |rm |sce-check (sct|@report/)|ipd-tournament (.*(sct:small|@report/)|--class 'memory.4,4.)|ipd-strategies champion --class 'memory.3,3.|ipd-evolve --strategies 'memory.2,2.)")
 
 
 for one in PAGES:

@@ -201,8 +201,8 @@ class Refusals(unittest.TestCase):
         self.assertRegex(done.stderr, pattern)
 
     def test_wrong_usage(self):
-        self.refused(2, "list, show NAME, diff A B or reply OPPONENTS")
-        self.refused(2, "'draw': expected list, show NAME, diff A B or reply OPPONENTS", "draw")
+        self.refused(2, "list, show NAME, diff A B, reply OPPONENTS or champion")
+        self.refused(2, "'draw': expected list, show NAME, diff A B, reply OPPONENTS or champion", "draw")
         self.refused(2, "reply takes one SPEC", "reply")
         self.refused(2, "stands for 17 strategies", "reply", "classics")
         self.refused(2, "give a --horizon", "reply", "soft_majo", "--criterion", "discounted:0.9")

@@ -59,7 +59,7 @@ class NumbersAndNames(unittest.TestCase):
         for option, fraction, decimal in (("--noise", "1/8", "0.125"), ("--end-probability", "1/4", "0.25"),
                                           ("--criterion", "discounted:9/10", "discounted:0.9")):
             self.assertEqual(output(*few, option, fraction), output(*few, option, decimal))
-        self.assertIn("noise 0.3333333333333333,", output(*few, "--noise", "1/3"))
+        self.assertIn("noise 1/3,", output(*few, "--noise", "1/3"))
         self.assertIn("ending:1/3,", output(*few, "--end-probability", "1/3"))
         self.assertEqual(set(by_name(result("--strategies", "gtft(1/3),all_d"))), {"all_d", "gtft(1/3)"})
 

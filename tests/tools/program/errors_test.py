@@ -69,7 +69,7 @@ class WrongUsage(Errors):
 
     def test_names_with_wrong_parameters(self):
         for name in ("random(4/3)", "gtft(1/0)", "zd_extort(4;1/16)", "random(1.5)", "random(nan)", "random()", "random(0.5", "gtft(x)", "zd_extort(0.5)", "per_",
-                     "per_cx", "mem12_ccCDCD", "memory(2,2)", "memory(9,9)", "memory(-1,1)", "memory(a,b)", "memory()",
+                     "per_cx", "mem12_ccCDCD", "memory(2,3)", "pavlov,memory(2,2)", "memory(9,9)", "memory(-1,1)", "memory(a,b)", "memory()",
                      "mem1(c;0.9,0.1,0.8)"):
             self.refused(2, "--strategies", name)
 
