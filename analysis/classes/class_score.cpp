@@ -13,6 +13,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -25,7 +26,7 @@ __extension__ using Wide = __int128;
 constexpr std::size_t most_joint_states = std::size_t{1} << 26;
 
 /// Scores that are no exact whole numbers count as equal within this share of the largest possible score.
-constexpr double rounding = 1e-12;
+constexpr double score_rounding = 1e-12;
 
 /// So many genes are chosen before a piece of work begins: 2^8 pieces for the threads.
 constexpr unsigned chosen_ahead = 8;
@@ -125,7 +126,7 @@ public:
         entrant_(&entrant),
         criterion_(settings.criterion),
         exact_(settings.criterion.is_finite() || settings.criterion.kind() == Criterion::Kind::mean),
-        tolerance_(exact_ ? 0 : rounding * payoffs.largest * settings.criterion.total_weight()),
+        tolerance_(exact_ ? 0 : score_rounding * payoffs.largest * settings.criterion.total_weight()),
         last_(settings.criterion.is_finite() ? settings.criterion.rounds() : std::numeric_limits<std::uint64_t>::max()),
         marks_(entrant.size() * members.entries(), 0),
         moves_(members.genes(), 0),
