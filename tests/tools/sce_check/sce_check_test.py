@@ -131,7 +131,6 @@ class Report(unittest.TestCase):
         self.assertEqual(len(report["opponents"]), 17)
 
 
-@unittest.skipIf("FOLK_SANITIZED" in os.environ, "ten thousand thoughts of a transformer; sce_page_test has fewer")
 class Noise(unittest.TestCase):
     """--noise P: every history is on the path, so that Nash, perfect and self-confirming are one."""
 
@@ -190,6 +189,7 @@ class Noise(unittest.TestCase):
                     self.assertFalse(output.exists())
 
 
+@unittest.skipIf("FOLK_SANITIZED" in os.environ, "ten thousand thoughts of a transformer; sce_page_test has fewer")
 class Transformer(unittest.TestCase):
     """The shipped policy on a few opponents; the whole reports are in docs/."""
 
