@@ -11,6 +11,7 @@ check_cxx_compiler_flag(-march=native FOLK_HAS_MARCH_NATIVE)
 function(folk_compile_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+  target_compile_options(${target} PRIVATE -Wno-psabi)  # vectors of lanes (analysis/classes) stay within one library
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     # False alarms of GCC 12 in other people's headers: std::string (bug 105329), its own AVX-512 intrinsics under Eigen
     # (bug 105593) and Boost's cpp_int.
