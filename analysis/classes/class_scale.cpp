@@ -11,9 +11,6 @@ namespace {
 /// The largest sum that is kept.
 constexpr double most = 0x1p62;
 
-/// Scores that are no exact whole numbers count as equal within this share of the largest possible score.
-constexpr double rounding = 1e-12;
-
 }  // namespace
 
 ClassScale class_scale(const MemoryClass& members, const Payoffs& payoffs, const Criterion& criterion, double weight) {
@@ -34,7 +31,7 @@ ClassScale class_scale(const MemoryClass& members, const Payoffs& payoffs, const
   const double fixed = scale.exact ? static_cast<double>(scale.common) : std::exp2(std::floor(std::log2(room)));
   scale.score_unit = scale.payoffs.scale * fixed;
   scale.cooperation_unit = fixed;
-  scale.tolerance = scale.exact ? 0 : rounding * largest;
+  scale.tolerance = scale.exact ? 0 : score_rounding * largest;
   return scale;
 }
 

@@ -4,6 +4,7 @@
 #include <folk/analysis/play/parallel.h>
 #include <folk/analysis/play/whole_payoffs.h>
 #include <folk/games/error.h>
+#include <folk/games/outcome.h>
 #include <folk/strategies/automaton.h>
 
 #include <fmt/format.h>
@@ -24,9 +25,6 @@ __extension__ using Wide = __int128;
 
 /// Room for the marks of so many joint states, 256 MB.
 constexpr std::size_t most_joint_states = std::size_t{1} << 26;
-
-/// Scores that are no exact whole numbers count as equal within this share of the largest possible score.
-constexpr double score_rounding = 1e-12;
 
 /// So many genes are chosen before a piece of work begins: 2^8 pieces for the threads.
 constexpr unsigned chosen_ahead = 8;
@@ -133,7 +131,7 @@ public:
         known_(members.genes(), 0),
         sums_(1) {
     for (std::size_t o = 0; o < 4; ++o) {
-      const std::size_t exchanged = o == 1 ? 2 : o == 2 ? 1 : o;
+      const std::size_t exchanged = all_outcomes[o].exchanged().index();
       rounds_[o] = {payoffs.by_outcome[o], payoffs.by_outcome[exchanged], o < 2 ? 1.0 : 0.0};
     }
   }

@@ -2,6 +2,7 @@
 // All matches between two members of a class, their genes revealed one by one as play asks for them.
 
 #include <folk/analysis/classes/path_value.h>
+#include <folk/games/outcome.h>
 #include <folk/strategies/standard/memory_class.h>
 
 #include <algorithm>
@@ -64,7 +65,7 @@ public:
         marks_(std::size_t{1} << (2 * openings_), 0),
         sums_(longest_ + 1, Lanes<Number>{}) {
     for (std::size_t o = 0; o < 4; ++o) {
-      const std::size_t exchanged = o == 1 ? 2 : o == 2 ? 1 : o;
+      const std::size_t exchanged = all_outcomes[o].exchanged().index();
       rounds_[o] = Lanes<Number>{static_cast<Number>(payoffs[o]), static_cast<Number>(payoffs[exchanged]),
                                  static_cast<Number>(o < 2 ? 1 : 0), 0};
     }

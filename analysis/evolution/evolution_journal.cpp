@@ -173,6 +173,7 @@ EvolutionState read_evolution_journal(std::string_view text, const std::string& 
     if (summary.leader >= strategies || summary.generation > state.generation) reader.damaged();
     state.summaries.push_back(summary);
   }
+  if (state.summaries.empty()) reader.damaged();  // that of the start is always there
   reader.end();
   state.history = PopulationHistory::restored(stride, std::move(history));
   return state;

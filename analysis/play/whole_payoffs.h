@@ -9,6 +9,9 @@
 
 namespace folk {
 
+/// Scores that are no exact whole numbers count as equal within this share of the largest possible score.
+inline constexpr double score_rounding = 1e-12;
+
 /// Payoffs times their least common denominator.
 struct WholePayoffs {
   std::array<double, 4> by_outcome{};  ///< CC, CD, DC, DD (own move first); whole numbers

@@ -16,9 +16,6 @@
 namespace folk {
 namespace {
 
-/// Scores that are no exact whole numbers count as equal within this share of the largest possible score.
-constexpr double rounding = 1e-12;
-
 /// Figures for more pairs of behaviours than this would not fit into the memory of a small machine.
 constexpr std::size_t most_behaviours = 10'000;
 
@@ -148,7 +145,7 @@ void Tournament::store_row(std::size_t a, std::size_t b, const PairResult& resul
   cooperations_[at] = result.weights[0] + result.weights[1];
   if (a <= b) mutual_cooperations_[common_cell(a, b)] = result.weights[0];
   const bool exact = is_exact(result.method, settings_.criterion);
-  notes_[at] = Note{result.method, own - theirs > (exact ? 0 : rounding * largest_score_)};
+  notes_[at] = Note{result.method, own - theirs > (exact ? 0 : score_rounding * largest_score_)};
   if (!errors_.empty()) errors_[at] = result.first_error;
   if (!guesses_[a].empty()) guesses_[a][b] = result.first_guesses;
 }
@@ -274,7 +271,7 @@ void Tournament::rank() {
   std::sort(ranking_.begin(), ranking_.end(), [](const RankingEntry& a, const RankingEntry& b) {
     return std::pair(-a.total, a.entrant) < std::pair(-b.total, b.entrant);
   });
-  const long double slack = rounding * largest_score_ / scale_ * static_cast<double>(opponents());
+  const long double slack = score_rounding * largest_score_ / scale_ * static_cast<double>(opponents());
   const auto equal = [&](const RankingEntry& a, const RankingEntry& b) {
     const bool exact = is_exact(a.method, settings_.criterion) && is_exact(b.method, settings_.criterion);
     return exact ? a.total == b.total : std::abs(a.total - b.total) <= slack;
