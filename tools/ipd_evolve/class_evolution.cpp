@@ -4,6 +4,7 @@
 #include <folk/tools/ipd_evolve/evolution_output.h>
 #include <folk/tools/ipd_evolve/run_journal.h>
 #include <folk/tools/ipd_evolve/scores.h>
+#include <folk/tools/program/number_text.h>
 #include <folk/tools/program/output_folder.h>
 #include <folk/tools/program/progress.h>
 #include <folk/tools/program/table.h>
@@ -117,15 +118,13 @@ void write_generations_csv(std::ostream& out, const ClassEvolution& report) {
 
 void write_json(std::ostream& out, const ClassEvolution& report, bool as_file) {
   const auto& state = report.evolution.state();
-  const auto& payoffs = report.game.payoffs;
   out << "{\n";
   if (as_file)
-    out << fmt::format("  \"folk_version\": \"{}\",\n  \"command\": {},\n", FOLK_VERSION, json_text(report.command));
+    out << fmt::format("  \"folk_version\": \"{}\",\n  \"command\": {},\n", FOLK_VERSION, json_string(report.command));
   out << fmt::format("  \"class\": \"{}\",\n  \"class_size\": \"{}\",\n  \"game\": {},\n", report.members.name(),
-                     report.members.size().str(), json_text(report.game.title));
-  out << fmt::format("  \"payoffs\": {{\"T\": {}, \"R\": {}, \"P\": {}, \"S\": {}}},\n  \"criterion\": \"{}\",\n",
-                     to_double(payoffs.temptation), to_double(payoffs.reward), to_double(payoffs.punishment),
-                     to_double(payoffs.sucker), report.criterion.to_string());
+                     report.members.size().str(), json_string(report.game.title));
+  out << fmt::format("  \"payoffs\": {},\n  \"criterion\": \"{}\",\n", payoffs_json(report.game.payoffs),
+                     report.criterion.to_string());
   out << fmt::format("  \"model\": \"ecological\",\n  \"population\": {},\n  \"generations\": {},\n", report.each,
                      state.generation);
   out << fmt::format("  \"fixed_point\": {},\n  \"cycle\": {},\n", state.end == EvolutionEnd::fixed_point,

@@ -1,6 +1,7 @@
 #include <folk/tools/ipd_evolve/evolution_output.h>
 
 #include <folk/tools/program/csv.h>
+#include <folk/tools/program/number_text.h>
 #include <folk/tools/program/table.h>
 
 #include <fmt/format.h>
@@ -156,13 +157,13 @@ void write_evolution_json(std::ostream& out, const EvolutionReport& report, bool
   const auto& state = evolution.state();
   out << "{\n";
   if (as_file)
-    out << fmt::format("  \"folk_version\": \"{}\",\n  \"command\": {},\n", FOLK_VERSION, json_text(command));
+    out << fmt::format("  \"folk_version\": \"{}\",\n  \"command\": {},\n", FOLK_VERSION, json_string(command));
   for (const auto& [name, value] : played.members) out << fmt::format("  \"{}\": {},\n", name, value);
   out << fmt::format("  \"seed\": {},\n  \"model\": {},\n  \"parameters\": {},\n", evolution.seed(),
-                     json_text(question.model), json_text(question.dynamics->text()));
+                     json_string(question.model), json_string(question.dynamics->text()));
   out << "  \"start\": {";
   for (std::size_t i = 0; i < question.start.size(); ++i)
-    out << fmt::format("{}{}: {}", i == 0 ? "" : ", ", json_text(played.scores->names()[i]),
+    out << fmt::format("{}{}: {}", i == 0 ? "" : ", ", json_string(played.scores->names()[i]),
                        number_text(question.start[i]));
   out << fmt::format("}},\n  \"generations\": {},\n  \"fixed_point\": {},\n  \"cycle\": {},\n  \"one_left\": {},\n",
                      state.generation, state.end == EvolutionEnd::fixed_point,
@@ -173,17 +174,17 @@ void write_evolution_json(std::ostream& out, const EvolutionReport& report, bool
                      number_text(total_of(state.population)), cooperation ? fmt::format("{}", *cooperation) : "null");
   const char* separator = "";
   for (const std::size_t i : survivors(evolution)) {
-    out << separator << json_text(played.scores->names()[i]);
+    out << separator << json_string(played.scores->names()[i]);
     separator = ", ";
   }
   out << "],\n  \"notes\": [";
-  for (std::size_t i = 0; i < played.caveats.size(); ++i) out << (i > 0 ? ", " : "") << json_text(played.caveats[i]);
+  for (std::size_t i = 0; i < played.caveats.size(); ++i) out << (i > 0 ? ", " : "") << json_string(played.caveats[i]);
   out << fmt::format("],\n  \"signature\": \"{:016x}\",\n  \"ranking\": [", report.signature());
   const auto mean = state.history.mean_of_last_quarter();
   separator = "\n";
   for (const auto& entry : evolution.ranking()) {
     out << fmt::format("{}    {{\"rank\": {}, \"name\": {}, \"population\": {}, \"extinct_at_generation\": {}",
-                       separator, entry.rank, json_text(played.scores->names()[entry.entrant]),
+                       separator, entry.rank, json_string(played.scores->names()[entry.entrant]),
                        number_text(entry.population), entry.extinct_at ? fmt::format("{}", *entry.extinct_at) : "null");
     if (question.dynamics->is_random()) out << fmt::format(", \"mean_of_last_quarter\": {}", mean[entry.entrant]);
     out << '}';

@@ -2,6 +2,7 @@
 #include <folk/tools/ipd_evolve/fixation_output.h>
 
 #include <folk/tools/program/csv.h>
+#include <folk/tools/program/number_text.h>
 #include <folk/tools/program/table.h>
 
 #include <fmt/format.h>
@@ -140,12 +141,12 @@ void write_json_opening(std::ostream& out, const PlayedScores& played, const Evo
                         std::uint64_t seed, std::uint64_t signature, const std::string* command) {
   out << "{\n";
   if (command != nullptr)
-    out << fmt::format("  \"folk_version\": \"{}\",\n  \"command\": {},\n", FOLK_VERSION, json_text(*command));
+    out << fmt::format("  \"folk_version\": \"{}\",\n  \"command\": {},\n", FOLK_VERSION, json_string(*command));
   for (const auto& [name, value] : played.members) out << fmt::format("  \"{}\": {},\n", name, value);
-  out << fmt::format("  \"seed\": {},\n  \"model\": {},\n  \"parameters\": {},\n", seed, json_text(question.model),
-                     json_text(question.dynamics ? question.dynamics->text() : question.rules.text()));
+  out << fmt::format("  \"seed\": {},\n  \"model\": {},\n  \"parameters\": {},\n", seed, json_string(question.model),
+                     json_string(question.dynamics ? question.dynamics->text() : question.rules.text()));
   out << "  \"notes\": [";
-  for (std::size_t i = 0; i < played.caveats.size(); ++i) out << (i > 0 ? ", " : "") << json_text(played.caveats[i]);
+  for (std::size_t i = 0; i < played.caveats.size(); ++i) out << (i > 0 ? ", " : "") << json_string(played.caveats[i]);
   out << fmt::format("],\n  \"signature\": \"{:016x}\"", signature);
 }
 
@@ -161,7 +162,7 @@ void write_fixation_json(std::ostream& out, const FixationReport& report, bool a
     for (const std::size_t i : ranked(report.distribution)) {
       ++rank;
       out << fmt::format("{}\n    {{\"rank\": {}, \"name\": {}, \"share\": {}", rank == 1 ? "" : ",", rank,
-                         json_text(names[i]), report.distribution[i]);
+                         json_string(names[i]), report.distribution[i]);
       if (!report.exact_distribution.empty())
         out << fmt::format(", \"exact\": \"{}\"", report.exact_distribution[i].str());
       out << '}';
@@ -172,7 +173,7 @@ void write_fixation_json(std::ostream& out, const FixationReport& report, bool a
   const char* separator = "\n";
   for_pairs(names.size(), [&](std::size_t resident, std::size_t mutant) {
     out << fmt::format("{}    {{\"resident\": {}, \"mutant\": {}, \"probability\": {}, \"ratio_to_neutral\": {}",
-                       separator, json_text(names[resident]), json_text(names[mutant]),
+                       separator, json_string(names[resident]), json_string(names[mutant]),
                        fixation.probability(mutant, resident), fixation.ratio(mutant, resident));
     if (!fixation.exact.empty())
       out << fmt::format(", \"exact\": \"{}\"", fixation.exact[resident * names.size() + mutant].str());
@@ -242,7 +243,7 @@ void write_runs_json(std::ostream& out, const RunsReport& report, bool as_file) 
     out << fmt::format(
         "{}\n    {{\"rank\": {}, \"name\": {}, \"start\": {}, \"taken_over\": {}, \"share\": {}, "
         "\"standard_error\": {}, \"exact\": {}}}",
-        rank == 1 ? "" : ",", rank, json_text(names[i]), number_text(report.question.start[i]), counts.taken_over[i],
+        rank == 1 ? "" : ",", rank, json_string(names[i]), number_text(report.question.start[i]), counts.taken_over[i],
         shares[i], counts.standard_error(i), exact ? fmt::format("{}", *exact) : "null");
   }
   out << "\n  ]\n}\n";

@@ -21,7 +21,4 @@ struct PlayedScores {
   Caption caption{};  ///< of pictures
 };
 
-/// A text as JSON has it.
-std::string json_text(const std::string& text);
-
 }  // namespace folk::tools

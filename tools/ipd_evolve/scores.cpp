@@ -5,6 +5,7 @@
 #include <folk/tools/choices/game_option.h>
 #include <folk/tools/choices/play_options.h>
 #include <folk/tools/choices/roster_option.h>
+#include <folk/tools/program/number_text.h>
 #include <folk/tools/program/progress.h>
 
 #include <fmt/format.h>
@@ -42,11 +43,11 @@ PlayedScores played(Tournament tournament, const ChosenGame& game, const po::var
   bool sampled = false;
   for (const auto& entry : tournament.ranking()) sampled = sampled || entry.method == Method::sampled;
   if (sampled) found.line += fmt::format(", repetitions {}", settings.repetitions.count());
-  found.members = {{"roster", json_text(text_option(values, "strategies"))},
-                   {"included", json_text(included)},
-                   {"game", json_text(game.title)},
-                   {"payoffs", json_text(to_text(settings.payoffs))},
-                   {"criterion", json_text(settings.criterion.to_string())},
+  found.members = {{"roster", json_string(text_option(values, "strategies"))},
+                   {"included", json_string(included)},
+                   {"game", json_string(game.title)},
+                   {"payoffs", json_string(to_text(settings.payoffs))},
+                   {"criterion", json_string(settings.criterion.to_string())},
                    {"noise", fmt::format("{}", settings.noise.probability())},
                    {"repetitions", fmt::format("{}", settings.repetitions.count())}};
   found.caveats = tournament.caveats();

@@ -1,4 +1,5 @@
 #include <folk/tools/ipd_evolve/tournament_file.h>
+#include <folk/tools/program/number_text.h>
 
 #include <fmt/format.h>
 #include <folk/analysis/evolution/score_table.h>
@@ -93,7 +94,7 @@ PlayedScores from_json(const std::string& text, const std::string& file) {
     found.scores = std::make_shared<ScoreMatrix>(std::move(names), exact, weight_of(criterion), std::move(cooperations),
                                                  rounded(object, criterion, file));
     found.line = fmt::format("scores of {}: {}", file, criterion.to_string());
-    found.members = {{"tournament", json_text(file)}, {"criterion", json_text(criterion.to_string())}};
+    found.members = {{"tournament", json_string(file)}, {"criterion", json_string(criterion.to_string())}};
   } catch (const UsageError& error) {
     refuse_file(file, error.what());
   }
@@ -117,7 +118,7 @@ PlayedScores read_tournament_file(const std::string& file) {
   }
   found.roster = file;
   found.line = fmt::format("scores of {}, taken as payoffs", file);
-  found.members = {{"tournament", json_text(file)}};
+  found.members = {{"tournament", json_string(file)}};
   return found;
 }
 

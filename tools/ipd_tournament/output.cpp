@@ -2,8 +2,8 @@
 
 #include <folk/tools/choices/game_option.h>
 #include <folk/tools/ipd_tournament/invasion_output.h>
-#include <folk/tools/ipd_tournament/number_text.h>
 #include <folk/tools/program/csv.h>
+#include <folk/tools/program/number_text.h>
 #include <folk/tools/program/table.h>
 
 #include <fmt/format.h>

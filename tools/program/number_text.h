@@ -1,5 +1,5 @@
 #pragma once
-// How this program writes its numbers.
+// Numbers and texts as programs write them into tables and JSON.
 
 #include <folk/games/payoffs.h>
 

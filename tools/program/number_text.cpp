@@ -1,4 +1,4 @@
-#include <folk/tools/ipd_tournament/number_text.h>
+#include <folk/tools/program/number_text.h>
 
 #include <fmt/format.h>
 
