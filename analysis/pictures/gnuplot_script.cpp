@@ -111,7 +111,8 @@ void require_whole(std::string_view picture, PictureFormat format, const fs::pat
                                : format == PictureFormat::png ? "IEND"
                                                               : "%%EOF";
   if (picture.substr(picture.size() - std::min(picture.size(), longest_tail)).find(end) == std::string_view::npos)
-    throw EnvironmentError(fmt::format("{}: gnuplot did not write it to its end: is the disk full?", path.string()));
+    throw EnvironmentError(
+        fmt::format("{}: gnuplot did not write it to its end: is the disk full?", excerpt(path.string(), 1000)));
 }
 
 /// gnuplot calls every SVG by its own name.
@@ -211,7 +212,7 @@ PictureFormat picture_format(const fs::path& path) {
   const std::string extension = path.extension().string();
   for (const auto format : {PictureFormat::svg, PictureFormat::png, PictureFormat::pdf})
     if (extension == fmt::format(".{}", to_string(format))) return format;
-  throw UsageError(fmt::format("{}: a plot's file name ends in .svg, .png or .pdf", path.string()));
+  throw UsageError(fmt::format("{}: a plot's file name ends in .svg, .png or .pdf", excerpt(path.string(), 200)));
 }
 
 void require_gnuplot() { run_renderer({"gnuplot", "--version"}, "", package); }

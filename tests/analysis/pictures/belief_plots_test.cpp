@@ -111,6 +111,7 @@ TEST(BeliefPlots, RefuseWhatIsNoPicture) {
   calibration.bins[1].belief_sum = -1;
   expect_error<UsageError>([&] { script(calibration); }, "belief is no probability");
   expect_error<UsageError>([] { draw(three_rounds(), "a.gif"); }, "ends in .svg");
+  expect_error<UsageError>([] { draw(three_rounds(), std::string(5000, 'a')); }, "aaa...: a plot's file name");
 }
 
 RC_GTEST_PROP(BeliefPlots, NothingInANameIsCode, (const std::string& name)) {

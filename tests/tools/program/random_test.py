@@ -135,6 +135,8 @@ class Random(unittest.TestCase):
                 words.insert(draw.randrange(len(words) + 1), words[i])
         if words[:1] == ["study"] and "--status" not in words:
             words.append("--status")  # what it does without it takes hours
+        if line[0] == "sct-train" and not {"--steps", "--config"} & set(words):
+            words += ["--steps", "1"]  # likewise
         return line[0], words
 
     def listing(self):
