@@ -61,7 +61,7 @@ private:
 
 bool is_there(const fs::path& path) {
   std::error_code ignored;
-  return fs::symlink_status(path, ignored).type() != fs::file_type::not_found;
+  return fs::exists(fs::symlink_status(path, ignored));
 }
 
 Collection Collecting::into(const fs::path& folder) {

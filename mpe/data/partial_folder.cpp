@@ -56,12 +56,13 @@ PartialFolder::PartialFolder(const fs::path& target)
 }
 
 void PartialFolder::lock() {
-  std::error_code error;
+  std::error_code error, ignored;
   // What is cleared must be ours: a folder that merely has this name is somebody's.
-  if (fs::is_symlink(path_) || (fs::is_directory(path_) && !fs::is_empty(path_, error) && !fs::exists(lock_path())))
+  if (fs::is_symlink(path_, ignored) ||
+      (fs::is_directory(path_, ignored) && !fs::is_empty(path_, ignored) && !fs::exists(lock_path(), ignored)))
     fail(path_, "is in the way and was not begun by a run like this; move it away or name another folder");
   fs::create_directories(path_, error);
-  if (!fs::is_directory(path_))
+  if (!fs::is_directory(path_, ignored))
     fail(path_, fmt::format("cannot be made: {}; name another", error ? error.message() : "a file has its name"));
   lock_ = FileDescriptor(::open(lock_path().c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
   if (lock_.get() < 0 && errno == ENOENT) return;  // removed again meanwhile

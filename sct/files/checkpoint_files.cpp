@@ -55,7 +55,7 @@ CheckpointFiles::CheckpointFiles(fs::path path)
     : path_(std::move(path)) {
   std::error_code error;
   folder_.emplace(path_, error);
-  if (!fs::is_directory(path_))
+  if (std::error_code ignored; !fs::is_directory(path_, ignored))
     fail(path_, fmt::format("cannot be made: {}; name another", error ? error.message() : "a file has its name"));
   lock_ = FileDescriptor(::open((path_ / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
   if (lock_.get() < 0) fail(path_, fmt::format("cannot be written: {}; name another", std::strerror(errno)));

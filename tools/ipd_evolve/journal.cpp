@@ -22,7 +22,7 @@ Journal::Journal(std::optional<std::filesystem::path> path)
 }
 
 std::optional<std::string> Journal::read() const {
-  if (!path_ || !std::filesystem::exists(*path_)) return std::nullopt;
+  if (std::error_code ignored; !path_ || !std::filesystem::exists(*path_, ignored)) return std::nullopt;
   return read_ordinary_file(*path_, largest_journal);
 }
 

@@ -21,9 +21,9 @@ void make_folder(const std::filesystem::path& folder, std::error_code& error) {
 std::optional<std::filesystem::path> output_folder(const po::variables_map& values) {
   if (values.count("output") == 0) return std::nullopt;
   std::filesystem::path folder = text_option(values, "output");
-  std::error_code error;
+  std::error_code error, ignored;
   make_folder(folder, error);
-  if (!std::filesystem::is_directory(folder))
+  if (!std::filesystem::is_directory(folder, ignored))
     throw EnvironmentError(fmt::format("--output '{}': no folder of that name can be made: {}",
                                        excerpt(folder.string(), 1000), error ? error.message() : "a file has it"));
   if (::access(folder.c_str(), W_OK | X_OK) != 0)

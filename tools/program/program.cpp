@@ -15,6 +15,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <limits>
 #include <new>
@@ -187,6 +188,9 @@ int run(int argc, char** argv, Program program, const std::vector<std::string>& 
     return complain(program, error.what(), wrong_usage);
   } catch (const InputFileError& error) {
     return complain(program, error.what(), bad_input_file);
+  } catch (const std::filesystem::filesystem_error& error) {  // its own words are a call and two paths, whole
+    return complain(program, fmt::format("{}: {}", excerpt(error.path1().string(), 1000), error.code().message()),
+                    failed);
   } catch (const std::bad_alloc&) {
     return complain(program, "not enough memory for this", failed);
   } catch (const std::exception& error) {

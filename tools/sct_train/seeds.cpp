@@ -49,7 +49,8 @@ std::vector<std::uint64_t> parse_seeds(const std::string& text) {
 }
 
 std::filesystem::path of_seed(const std::filesystem::path& file, std::uint64_t seed) {
-  if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file)) return file;
+  std::error_code ignored;
+  if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored)) return file;
   auto name = file.stem();
   name += fmt::format("-{}", seed);
   name += file.extension();

@@ -45,7 +45,7 @@ void TrainingLog::evaluation(const sct::TrainingRun& run) {
 }
 
 void TrainingLog::close(const sct::TrainingRun& run) {
-  if (std::filesystem::is_regular_file(file_))
+  if (std::error_code ignored; std::filesystem::is_regular_file(file_, ignored))
     write_file(file_, evaluation_table(run.history(), run.kept(), held_out_));
 }
 

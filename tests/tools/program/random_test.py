@@ -19,7 +19,7 @@ TREE = Path(__file__).resolve().parents[3]
 SEED = int(os.environ.get("FOLK_RANDOM_SEED", "1"))
 CASES = int(os.environ.get("FOLK_RANDOM_CASES", "40" if "FOLK_SANITIZED" in os.environ else "200"))
 LONGEST = 60 if "FOLK_SANITIZED" in os.environ else 20  # seconds
-RAW = re.compile(rb"terminate called|what\(\)|std::|boost|json\.exception|basic_string|bad_alloc|[Aa]ssertion|Sanitizer|runtime error")
+RAW = re.compile(rb"terminate called|what\(\)|std::|boost|json\.exception|basic_string|filesystem error|bad_alloc|[Aa]ssertion|Sanitizer|runtime error")
 
 TRAINING = ("--hidden", "8", "--layers", "1", "--batch", "4", "--warmup", "1", "--roster", "tit_for_tat,all_d", "--rounds", "5", "--targets", "15,20",
             "--steps", "1", "--threads", "1")
@@ -135,7 +135,7 @@ class Random(unittest.TestCase):
                 words.insert(draw.randrange(len(words) + 1), words[i])
         if words[:1] == ["study"] and "--status" not in words:
             words.append("--status")  # what it does without it takes hours
-        if line[0] == "sct-train" and not {"--steps", "--config"} & set(words):
+        if line[0] == "sct-train" and not {"--steps", "f/run.conf"} & set(words):
             words += ["--steps", "1"]  # likewise
         return line[0], words
 
