@@ -2,6 +2,7 @@
 #include <folk/analysis/play/parallel.h>
 #include <folk/analysis/play/signature.h>
 #include <folk/analysis/play/whole_payoffs.h>
+#include <folk/analysis/tournament/standings.h>
 #include <folk/analysis/tournament/tournament.h>
 #include <folk/games/error.h>
 #include <folk/strategies/registry.h>
@@ -268,20 +269,14 @@ void Tournament::rank() {
     parallel_for(size(), settings_.threads, [&](std::size_t i, unsigned) { ranking_[i] = entry(i); });
   }
   add_up_against_roster();
-  std::sort(ranking_.begin(), ranking_.end(), [](const RankingEntry& a, const RankingEntry& b) {
-    return std::pair(-a.total, a.entrant) < std::pair(-b.total, b.entrant);
-  });
-  const long double slack = score_rounding * largest_score_ / scale_ * static_cast<double>(opponents());
-  const auto equal = [&](const RankingEntry& a, const RankingEntry& b) {
-    const bool exact = is_exact(a.method, settings_.criterion) && is_exact(b.method, settings_.criterion);
-    return exact ? a.total == b.total : std::abs(a.total - b.total) <= slack;
-  };
-  for (auto first = ranking_.begin(); first != ranking_.end();) {
-    const auto last = std::find_if(first, ranking_.end(), [&](const auto& e) { return !equal(e, *first); });
-    // Totals that differ by rounding alone stand in roster order, like equal ones.
-    std::sort(first, last, [](const auto& a, const auto& b) { return a.entrant < b.entrant; });
-    const auto shared = static_cast<std::size_t>(first - ranking_.begin()) + 1;
-    for (; first != last; ++first) first->rank = shared;
+  std::vector<Standing> standings;
+  for (const RankingEntry& entry : ranking_)
+    standings.push_back({entry.entrant, entry.total, is_exact(entry.method, settings_.criterion)});
+  rank_by_total(standings, score_rounding * largest_score_ / scale_ * static_cast<double>(opponents()));
+  auto entries = std::exchange(ranking_, {});
+  for (const Standing& standing : standings) {
+    ranking_.push_back(std::move(entries[standing.entrant]));
+    ranking_.back().rank = standing.rank;
   }
 }
 

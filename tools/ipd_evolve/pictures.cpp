@@ -1,4 +1,5 @@
 #include <folk/tools/ipd_evolve/pictures.h>
+#include <folk/tools/program/picture_option.h>
 
 #include <fmt/format.h>
 #include <folk/analysis/pictures/fixation_drawing.h>
@@ -44,11 +45,8 @@ SimplexPlot simplex_of(const EvolutionReport& report) {
 }  // namespace
 
 std::optional<std::string> chosen_picture(const po::variables_map& values) {
-  if (values.count("plot") == 0) return std::nullopt;
-  const auto extension = text_option(values, "plot");
-  if (extension != "svg" && extension != "png" && extension != "pdf")
-    throw UsageError(fmt::format("--plot '{}': expected svg, png or pdf", excerpt(extension)));
-  if (values.count("output") == 0) throw UsageError("--plot needs a folder for its pictures: give --output DIR");
+  const auto extension = picture_extension(values);
+  if (!extension) return std::nullopt;
   if (values.count("runs") != 0) throw UsageError("--plot and --runs contradict: there is no picture of who took over");
   gnuplot::require_gnuplot();
   if (values.count("fixation") != 0 || values.count("stationary") != 0) run_renderer({"dot", "-V"}, "", "graphviz");

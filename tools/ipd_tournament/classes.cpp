@@ -47,7 +47,7 @@ int rank_class(const MemoryClass& members, const po::variables_map& values, cons
         fmt::format("{} has {} members: a class is ranked as a whole up to X + Y = 4; --class '{}' scores "
                     "entrants against all of them",
                     members.name(), members.size_text(), members.name()));
-  refuse(values, {"include", "exclude", "invasion", "repetitions", "plot"},
+  refuse(values, {"include", "exclude", "invasion", "sub-rosters", "repetitions", "plot"},
          fmt::format("the ranking of all of {}", members.name()));
   const ChosenGame game = chosen_game(values);
   ClassSettings settings;
@@ -75,7 +75,9 @@ int rank_class(const MemoryClass& members, const po::variables_map& values, cons
 }
 
 int score_entrants(const po::variables_map& values, const Common& common) {
-  refuse(values, {"include", "exclude", "invasion", "repetitions", "plot", "no-self-play", "by-behaviour"}, "--class");
+  refuse(values,
+         {"include", "exclude", "invasion", "sub-rosters", "repetitions", "plot", "no-self-play", "by-behaviour"},
+         "--class");
   if (!values["strategies"].defaulted())
     throw UsageError("--strategies does not go with --class: who plays against the class is --entrants SPEC");
   const std::string name = text_option(values, "class");

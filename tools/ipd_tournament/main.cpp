@@ -5,10 +5,11 @@
 #include <folk/tools/choices/play_options.h>
 #include <folk/tools/choices/roster_option.h>
 #include <folk/tools/ipd_tournament/classes.h>
-#include <folk/tools/ipd_tournament/invasion_output.h>
 #include <folk/tools/ipd_tournament/output.h>
 #include <folk/tools/ipd_tournament/pictures.h>
+#include <folk/tools/ipd_tournament/sub_roster_output.h>
 #include <folk/tools/program/output_folder.h>
+#include <folk/tools/program/picture_option.h>
 #include <folk/tools/program/program.h>
 #include <folk/tools/program/progress.h>
 #include <folk/tools/program/threads_option.h>
@@ -58,13 +59,15 @@ Program program() {
   add_play_options(program.options);
   add("no-self-play", "nobody meets its own copy");
   add("invasion", "also tell who can invade whom, and who is evolutionarily stable");
+  add("sub-rosters", text(),
+      "N[:SAMPLES]: also rank each strategy in the smaller tournaments of N of them: in all, or of more than SAMPLES "
+      "(default 1000000) in so many that are drawn");
   add("repetitions", text(), "matches of a pair that can only be sampled (default 100)");
   add("seed", text(), "of all random numbers (default 1)");
   add("threads", text(), "threads (default: one a processor); the results do not depend on it");
   add("output", text(),
-      "folder for ranking.csv, scores.csv, cooperation.csv, pairs.csv, summary.json, and beliefs.csv, invasion.csv "
-      "where "
-      "there are any");
+      "folder for ranking.csv, scores.csv, cooperation.csv, pairs.csv, summary.json, and beliefs.csv, invasion.csv, "
+      "sub_rosters.csv where there are any");
   add("plot", text()->implicit_value("svg"),
       "svg, png or pdf: also draw payoffs, cooperation, scores (and the invasions) into --output");
   add("scale", text(), "payoffs a round of the end colours of payoffs, a heat map, so that two can be compared");
@@ -104,16 +107,13 @@ std::optional<std::array<double, 2>> chosen_scale(const po::variables_map& value
 /// How pictures are drawn, if they are, once it is clear that so many strategies can be drawn here.
 std::optional<PictureChoice> chosen_pictures(const po::variables_map& values, std::size_t strategies) {
   const auto scale = chosen_scale(values);
-  if (values.count("plot") == 0) {
+  const auto extension = picture_extension(values);
+  if (!extension) {
     if (scale) throw UsageError("--scale is about the heat map of payoffs: draw it with --plot --output DIR");
     return std::nullopt;
   }
-  const auto extension = text_option(values, "plot");
-  if (extension != "svg" && extension != "png" && extension != "pdf")
-    throw UsageError(fmt::format("--plot '{}': expected svg, png or pdf", excerpt(extension)));
-  if (values.count("output") == 0) throw UsageError("--plot needs a folder for its pictures: give --output DIR");
   require_pictures(strategies, values.count("invasion") != 0);
-  return PictureChoice{extension, scale};
+  return PictureChoice{*extension, scale};
 }
 
 int tournament(const po::variables_map& values, const Common& common) {
@@ -133,29 +133,35 @@ int tournament(const po::variables_map& values, const Common& common) {
   if (values.count("invasion") != 0 && !settings.self_play)
     throw UsageError("--invasion needs what each earns against its own copy: leave out --no-self-play");
   auto [entrants, core] = chosen_field(values, game.payoffs);
+  auto sub_roster_settings = chosen_sub_rosters(values, entrants.size());
   const auto pictures = chosen_pictures(values, entrants.size());
   const auto folder = output_folder(values);
   note_unusual_payoffs(game, common);
 
   std::optional<ProgressBar> bar(std::in_place, fmt::format("playing {} strategies", entrants.size()), !common.quiet);
-  const Tournament result = play_tournament(std::move(entrants), core, settings, std::ref(*bar));
+  const Progress progress(std::ref(*bar));
+  const Tournament result =
+      play_tournament(std::move(entrants), core, settings, progress.part(0, sub_roster_settings ? 0.5 : 1));
+  std::optional<SubRosters> sub_rosters;
+  if (sub_roster_settings) {
+    sub_roster_settings->seed = settings.seed;
+    sub_roster_settings->threads = settings.threads;
+    sub_rosters = rank_sub_rosters(result, *sub_roster_settings, progress.part(0.5, 1));
+  }
   bar.reset();
 
   const TournamentLabels labels{text_option(values, "strategies"), text_option(values, "include"), game.title,
                                 common.command};
-  const auto found = values.count("invasion") != 0 ? std::optional<Invasions>(result) : std::nullopt;
-  const Invasions* invasions = found ? &*found : nullptr;
+  const auto invasions = values.count("invasion") != 0 ? std::optional<Invasions>(result) : std::nullopt;
+  const TournamentExtras extras{invasions ? &*invasions : nullptr, sub_rosters ? &*sub_rosters : nullptr};
   if (folder) {
-    write_files(*folder, result, labels, invasions);
-    if (pictures) draw_pictures(*folder, result, labels, invasions, *pictures);
+    write_files(*folder, result, labels, extras);
+    if (pictures) draw_pictures(*folder, result, labels, extras.invasions, *pictures);
   }
   switch (common.format) {
-    case Format::text:
-      write_text(std::cout, result, labels);
-      if (invasions != nullptr) write_invasion_text(std::cout, result, *invasions);
-      break;
-    case Format::csv: write_ranking_csv(std::cout, result, invasions); break;
-    case Format::json: write_json(std::cout, result, labels, true, invasions); break;
+    case Format::text: write_text(std::cout, result, labels, extras); break;
+    case Format::csv: write_ranking_csv(std::cout, result, extras); break;
+    case Format::json: write_json(std::cout, result, labels, true, extras); break;
   }
   return done;
 }

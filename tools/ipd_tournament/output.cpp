@@ -2,6 +2,7 @@
 
 #include <folk/tools/choices/game_option.h>
 #include <folk/tools/ipd_tournament/invasion_output.h>
+#include <folk/tools/ipd_tournament/sub_roster_output.h>
 #include <folk/tools/program/csv.h>
 #include <folk/tools/program/number_text.h>
 #include <folk/tools/program/table.h>
@@ -175,7 +176,8 @@ void write_beliefs_csv(std::ostream& out, const Tournament& tournament) {
 
 }  // namespace
 
-void write_text(std::ostream& out, const Tournament& tournament, const TournamentLabels& labels) {
+void write_text(std::ostream& out, const Tournament& tournament, const TournamentLabels& labels,
+                const TournamentExtras& extras) {
   out << visible_line(fmt::format("Round robin of {} strategies: {}{}", tournament.size(), labels.roster,
                                   labels.included.empty() ? "" : ", with " + labels.included));
   out << settings_line(tournament, labels) << "\n\n";
@@ -214,25 +216,30 @@ void write_text(std::ostream& out, const Tournament& tournament, const Tournamen
   if (tournament.has_beliefs()) out << "belief: how often the move that it held likelier was the other's move\n";
   for (const auto& caveat : tournament.caveats()) out << visible_line("note: " + caveat);
   out << fmt::format("signature {:016x}\n", tournament.signature());
+  if (extras.invasions != nullptr) write_invasion_text(out, tournament, *extras.invasions);
+  if (extras.sub_rosters != nullptr) write_sub_rosters_text(out, tournament, *extras.sub_rosters);
 }
 
-void write_ranking_csv(std::ostream& out, const Tournament& tournament, const Invasions* invasions) {
+void write_ranking_csv(std::ostream& out, const Tournament& tournament, const TournamentExtras& extras) {
   out << "rank,strategy,total,mean,median,wins,cooperation_rate,normalised,method,confidence_95,belief_accuracy,"
          "total_against_roster,pairs_of_method"
-      << (invasions != nullptr ? fmt::format(",{}", invasion_csv_columns) : "") << '\n';
+      << (extras.invasions != nullptr ? fmt::format(",{}", invasion_csv_columns) : "")
+      << (extras.sub_rosters != nullptr ? fmt::format(",{}", sub_roster_csv_columns) : "") << '\n';
   fmt::memory_buffer rows;
   for (const auto& entry : tournament.ranking())
-    fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{},{},{},{}{}\n", entry.rank,
-                   csv_field(tournament.name(entry.entrant)), exact(entry.total), entry.mean, entry.median, entry.wins,
-                   entry.cooperation_rate, csv_number(entry.normalised), to_string(entry.method),
-                   csv_number(confidence(tournament, entry)), csv_number(entry.belief_accuracy),
-                   exact(entry.total_against_roster), entry.pairs_of_method,
-                   invasions != nullptr ? "," + invasion_csv_fields(*invasions, entry.entrant) : "");
+    fmt::format_to(
+        std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{},{},{},{}{}{}\n", entry.rank,
+        csv_field(tournament.name(entry.entrant)), exact(entry.total), entry.mean, entry.median, entry.wins,
+        entry.cooperation_rate, csv_number(entry.normalised), to_string(entry.method),
+        csv_number(confidence(tournament, entry)), csv_number(entry.belief_accuracy), exact(entry.total_against_roster),
+        entry.pairs_of_method,
+        extras.invasions != nullptr ? "," + invasion_csv_fields(*extras.invasions, entry.entrant) : "",
+        extras.sub_rosters != nullptr ? "," + sub_roster_csv_fields(extras.sub_rosters->ranks[entry.entrant]) : "");
   out.write(rows.data(), static_cast<std::streamsize>(rows.size()));
 }
 
 void write_json(std::ostream& out, const Tournament& tournament, const TournamentLabels& labels, bool with_matrices,
-                const Invasions* invasions) {
+                const TournamentExtras& extras) {
   const auto& settings = tournament.settings();
   out << "{\n";
   if (!with_matrices)
@@ -268,13 +275,14 @@ void write_json(std::ostream& out, const Tournament& tournament, const Tournamen
     else
       out << ",\n  \"belief_accuracy\": null";
   }
-  if (invasions != nullptr) write_invasion_json(out, *invasions);
+  if (extras.invasions != nullptr) write_invasion_json(out, *extras.invasions);
+  if (extras.sub_rosters != nullptr) write_sub_rosters_json(out, tournament, *extras.sub_rosters);
   out << "\n}\n";
 }
 
 void write_files(const fs::path& folder, const Tournament& tournament, const TournamentLabels& labels,
-                 const Invasions* invasions) {
-  write_file(folder / "ranking.csv", [&](std::ostream& out) { write_ranking_csv(out, tournament, invasions); });
+                 const TournamentExtras& extras) {
+  write_file(folder / "ranking.csv", [&](std::ostream& out) { write_ranking_csv(out, tournament, extras); });
   write_file(folder / "scores.csv", [&](std::ostream& out) {
     write_csv_matrix(out, tournament, [&](std::size_t i, std::size_t j) { return tournament.score(i, j); });
   });
@@ -285,10 +293,13 @@ void write_files(const fs::path& folder, const Tournament& tournament, const Tou
     write_file(folder / "pairs.csv", [&](std::ostream& out) { write_pairs_csv(out, tournament); });
   if (tournament.has_beliefs())
     write_file(folder / "beliefs.csv", [&](std::ostream& out) { write_beliefs_csv(out, tournament); });
-  if (invasions != nullptr)
-    write_file(folder / "invasion.csv", [&](std::ostream& out) { write_invasion_csv(out, tournament, *invasions); });
-  write_file(folder / "summary.json",
-             [&](std::ostream& out) { write_json(out, tournament, labels, false, invasions); });
+  if (extras.invasions != nullptr)
+    write_file(folder / "invasion.csv",
+               [&](std::ostream& out) { write_invasion_csv(out, tournament, *extras.invasions); });
+  if (extras.sub_rosters != nullptr)
+    write_file(folder / "sub_rosters.csv",
+               [&](std::ostream& out) { write_sub_rosters_csv(out, tournament, *extras.sub_rosters); });
+  write_file(folder / "summary.json", [&](std::ostream& out) { write_json(out, tournament, labels, false, extras); });
 }
 
 }  // namespace folk::tools

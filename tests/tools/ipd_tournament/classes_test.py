@@ -58,7 +58,7 @@ class RankingOfAClass(unittest.TestCase):
 
     def test_what_does_not_go_with_it(self):
         for extra in (("--include", "pavlov"), ("--exclude", "pavlov"), ("--invasion",), ("--repetitions", "3"),
-                      ("--noise", "0.1"), ("--plot", "--output", "x")):
+                      ("--sub-rosters", "5"), ("--noise", "0.1"), ("--plot", "--output", "x")):
             done = run("--strategies", "memory(2,2)", *extra)
             self.assertEqual((done.returncode, done.stdout), (2, ""), done)
             self.assertIn(extra[0], done.stderr)
@@ -123,7 +123,8 @@ class EntrantsAgainstAClass(unittest.TestCase):
                                 (("memory(9,9)",), "X + Y"), (("classics",), "memory(X,Y)"),
                                 (("memory(3,3)", "--strategies", "classics"), "--entrants"),
                                 (("memory(3,3)", "--noise", "0.01"), "--noise"),
-                                (("memory(3,3)", "--invasion",), "--invasion")):
+                                (("memory(3,3)", "--invasion",), "--invasion"),
+                                (("memory(3,3)", "--sub-rosters", "5"), "--sub-rosters")):
             done = run("--class", *arguments)
             self.assertEqual((done.returncode, done.stdout), (2, ""), done)
             self.assertIn(word, done.stderr)

@@ -623,6 +623,42 @@ class Invasion(unittest.TestCase):
         self.assertIn("own copy", done.stderr)
 
 
+class SubRosters(unittest.TestCase):
+    FEW = ("--strategies", "all_c,all_d,tit_for_tat", "--rounds", "10")
+
+    def test_every_form(self):
+        with tempfile.TemporaryDirectory() as folder:
+            text = output(*self.FEW, "--sub-rosters", "2", "--output", folder)
+            header, *rows = table(Path(folder) / "sub_rosters.csv")
+            found = json.loads((Path(folder) / "summary.json").read_text())["sub_rosters"]
+        self.assertTrue(text.startswith(output(*self.FEW)))
+        self.assertIn("Ranks in all 3 sub-rosters of 2 of the 3 strategies", text)
+        self.assertRegex(text, r"\nall_c +1.5000 +0.5000 +1 +1 +1 +2 +2 +50.00 +2\n")
+        self.assertEqual(rows[1], ["all_c", "2", "1.5", "0.5", "1", "1", "1", "2", "2", "0.5"])
+        self.assertEqual((found["possible"], found["looked_at"], found["all"]), ("3", 3, True))
+        self.assertEqual([list(entry) for entry in found["ranking"]], [["name", *header[1:]]] * 3)
+        self.assertEqual([str(value) for value in found["ranking"][1].values()], rows[1])
+        with_columns = list(csv.reader(io.StringIO(output(*self.FEW, "--sub-rosters", "2", "--format", "csv"))))
+        self.assertEqual(with_columns[0][-9:], header[1:])
+        self.assertEqual(next(row for row in with_columns if row[1] == "all_c")[-9:], rows[1][1:])
+
+    def test_a_sample_is_the_seeds(self):
+        asked = ("--rounds", "10", "--sub-rosters", "4:3")
+        first = result(*asked, "--threads", "1")["sub_rosters"]
+        self.assertEqual((first["looked_at"], first["all"], first["possible"]), (3, False, "2380"))
+        self.assertEqual(sum(entry["sub_rosters"] for entry in first["ranking"]), 12)
+        self.assertIsNone(first["ranking"][-1]["mean_rank"])  # in none of the three
+        self.assertNotEqual(first, result(*asked, "--seed", "2")["sub_rosters"])
+        self.assertIn("3 sub-rosters of 4 of the 17 strategies, drawn with seed 1", output(*asked))
+
+    def test_what_is_refused(self):
+        for size in ("1", "4", "2:0", "2:", ":2", "2:1:1", "x"):
+            done = run(*self.FEW, "--sub-rosters", size)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), done)
+            self.assertIn("--sub-rosters", done.stderr)
+            self.assertEqual(done.stderr.count("\n"), 1)
+
+
 class Documentation(unittest.TestCase):
     def test_its_page_has_every_option(self):
         page = (TREE / "docs" / "ipd-tournament.md").read_text()
