@@ -22,8 +22,8 @@ namespace {
 /// caches.
 constexpr unsigned most_open = 11;
 
-/// The genes of one piece of work. The first player's openings and first table entries are fixed; each of its other
-/// entries is C, D or not asked for, a digit 0, 1 or 2 of the place where its leaf is added up.
+/// The genes of one piece of work. The first player's openings and some of its table entries are fixed; each of its
+/// other entries is C, D or not asked for, a digit 0, 1 or 2 of the place where its leaf is added up.
 ///
 /// Sum is std::int64_t beside Number double where paths are rounded to ClassScale's fixed point, else it is Number.
 template <class Number, class Sum>
@@ -32,26 +32,34 @@ class SubcubeSums {
 
 public:
   SubcubeSums(const MemoryClass& members, const ClassScale& scale)
-      : genes_(members.genes()),
+      : members_(members),
+        genes_(members.genes()),
         open_(std::min(members.entries(), most_open)),
         tolerance_(static_cast<Number>(scale.tolerance)),
         unit_(static_cast<Number>(scale.cooperation_unit)),
         power_(genes_, 0) {
-    std::size_t power = 1;
-    for (unsigned gene = genes_; gene-- > genes_ - open_; power *= 3) power_[gene] = power;
-    cells_.resize(power);
+    std::size_t cells = 1;
+    for (unsigned gene = 0; gene < open_; ++gene) cells *= 3;
+    cells_.resize(cells);
   }
 
   /// How many genes of the first player are fixed at a time.
   unsigned fixed() const { return genes_ - open_; }
 
-  /// Sums what the first player earns from all, for each member whose first genes are `fixed_genes`; `totals` has their
-  /// places.
-  void add_up(JointWalk<Number>& walk, std::uint32_t fixed_genes, std::span<MemberTotals> totals) {
-    First first{(1U << fixed()) - 1, 0, cells_.size() - 1};  // all digits 2
-    for (unsigned gene = 0; gene < fixed(); ++gene) first.moves |= ((fixed_genes >> (fixed() - 1 - gene)) & 1U) << gene;
+  /// Sums what the first player earns from all, for each member with the fixed genes of piece number `piece`, into
+  /// its place in `totals`.
+  void add_up(JointWalk<Number>& walk, std::uint32_t piece, std::span<MemberTotals> totals) {
+    order_genes((piece >> (fixed() - members_.openings())) & 1U);
+    First first{0, 0, cells_.size() - 1};  // all digits 2
+    std::uint32_t member = 0;
+    for (unsigned i = 0; i < fixed(); ++i) {
+      const std::uint32_t move = (piece >> (fixed() - 1 - i)) & 1U;
+      first.known |= 1U << order_[i];
+      first.moves |= move << order_[i];
+      member |= move << (genes_ - 1 - order_[i]);
+    }
     walk.run(*this, first, Second{0, 0, static_cast<Sum>(std::int64_t{1} << genes_)});
-    spread(0, cells_.size(), totals);
+    spread(0, cells_.size(), fixed(), member, totals);
   }
 
   /// Genes as bits, the first gene lowest.
@@ -93,14 +101,14 @@ public:
 
   void leaf(Leaves& leaves, const Second& second, const Lanes<Number>& path) const {
     const Number margin = path[own_payoff] - path[their_payoff];
-    const bool wins = margin > tolerance_;
-    const bool draws = !wins && margin >= -tolerance_;
+    const auto wins = static_cast<Sum>(margin > tolerance_);
+    const auto draws = static_cast<Sum>(margin >= -tolerance_) - wins;
     Lanes<Sum> totals{};
     if constexpr (fixed_point) {
       const auto fixed = __builtin_convertvector(path * unit_, Lanes<Sum>);
       totals = Lanes<Sum>{fixed[own_payoff], fixed[own_cooperations], wins, draws};
     } else {
-      totals = Lanes<Sum>{path[own_payoff], path[own_cooperations], static_cast<Sum>(wins), static_cast<Sum>(draws)};
+      totals = Lanes<Sum>{path[own_payoff], path[own_cooperations], wins, draws};
     }
     leaves.totals += totals * second.opponents;
     leaves.any = true;
@@ -111,12 +119,33 @@ public:
   }
 
 private:
+  /// Fixed genes first. A match that asks for few of the fixed entries is walked in many pieces, so those are fixed
+  /// that most matches ask for: where a player does the opposite of its last opening it comes by an entry of that
+  /// memory, and entry 0, permanent cooperation, is left early or never.
+  void order_genes(unsigned last_opening) {
+    const unsigned moves = std::min(2U, members_.own_memory());
+    const unsigned changed = moves == 2 ? (last_opening << 1U) | (last_opening ^ 1U) : last_opening ^ 1U;
+    const auto changes = [&](unsigned gene) {
+      const unsigned own = (gene - members_.openings()) >> members_.their_memory();
+      return moves > 0 && (own & ((1U << moves) - 1)) == changed;
+    };
+    order_.resize(genes_);
+    std::iota(order_.begin(), order_.end(), 0U);
+    const auto entries = order_.begin() + members_.openings();
+    std::rotate(entries, entries + 1, order_.end());
+    std::stable_partition(entries, order_.end(), changes);
+    std::sort(order_.begin() + fixed(), order_.end());
+    std::size_t power = 1;
+    for (unsigned i = genes_; i-- > fixed(); power *= 3) power_[order_[i]] = power;
+  }
+
   /// Adds what stands for both moves of an entry to each of them, entry by entry; a cell without a 2 is a member.
-  /// Leaves all cells empty.
-  void spread(std::size_t begin, std::size_t cells, std::span<MemberTotals> totals) {
+  /// Leaves all cells empty. `next` is the place in the order of the first gene that is not yet in `member`.
+  void spread(std::size_t begin, std::size_t cells, unsigned next, std::uint32_t member,
+              std::span<MemberTotals> totals) {
     Lanes<std::int64_t>* const c = cells_.data() + begin;
     if (cells == 1) {
-      totals[0] = {c[0][0], c[0][1], c[0][2], c[0][3]};
+      totals[member] = {c[0][0], c[0][1], c[0][2], c[0][3]};
       c[0] = Lanes<std::int64_t>{};
       return;
     }
@@ -126,15 +155,16 @@ private:
       c[third + i] += c[2 * third + i];
       c[2 * third + i] = Lanes<std::int64_t>{};
     }
-    const std::size_t half = totals.size() / 2;
-    spread(begin, third, totals.first(half));
-    spread(begin + third, third, totals.subspan(half));
+    spread(begin, third, next + 1, member, totals);
+    spread(begin + third, third, next + 1, member | (1U << (genes_ - 1 - order_[next])), totals);
   }
 
+  MemoryClass members_;
   unsigned genes_;
   unsigned open_;
   Number tolerance_;
   Number unit_;
+  std::vector<unsigned> order_;     // of the genes
   std::vector<std::size_t> power_;  // of 3, by gene
   std::vector<Lanes<std::int64_t>> cells_;
 };
@@ -150,23 +180,26 @@ std::vector<MemberTotals> all_totals(const MemoryClass& members, const ClassSett
   };
   std::vector<Worker> workers(std::max(1U, settings.threads), Worker{walk, {members, scale}});
   std::vector<MemberTotals> totals(std::size_t{1} << members.genes());
-  const std::size_t pieces = std::size_t{1} << workers[0].sums.fixed();
-  const std::size_t width = totals.size() / pieces;
-  const double unit = scale.exact ? 1 : scale.cooperation_unit;
   parallel_for(
-      pieces, settings.threads,
+      std::size_t{1} << workers[0].sums.fixed(), settings.threads,
       [&](std::size_t piece, unsigned worker) {
-        const auto part = std::span(totals).subspan(piece * width, width);
-        workers[worker].sums.add_up(workers[worker].walk, static_cast<std::uint32_t>(piece), part);
-        if (settings.self_play) return;
-        for (std::size_t i = 0; i < width; ++i) {
-          const auto path = own_copy(workers[worker].walk, members, static_cast<std::uint32_t>(piece * width + i));
-          part[i].score -= static_cast<std::int64_t>(static_cast<double>(path[own_payoff]) * unit);
-          part[i].cooperations -= static_cast<std::int64_t>(static_cast<double>(path[own_cooperations]) * unit);
-          part[i].draws -= 1;
+        workers[worker].sums.add_up(workers[worker].walk, static_cast<std::uint32_t>(piece), totals);
+      },
+      progress.part(0, settings.self_play ? 1 : 0.5));
+  if (settings.self_play) return totals;
+  const double unit = scale.exact ? 1 : scale.cooperation_unit;
+  const std::size_t width = std::min<std::size_t>(totals.size(), 1024);
+  parallel_for(
+      totals.size() / width, settings.threads,
+      [&](std::size_t piece, unsigned worker) {
+        for (std::size_t member = piece * width; member < (piece + 1) * width; ++member) {
+          const auto path = own_copy(workers[worker].walk, members, static_cast<std::uint32_t>(member));
+          totals[member].score -= static_cast<std::int64_t>(static_cast<double>(path[own_payoff]) * unit);
+          totals[member].cooperations -= static_cast<std::int64_t>(static_cast<double>(path[own_cooperations]) * unit);
+          totals[member].draws -= 1;
         }
       },
-      progress);
+      progress.part(0.5, 1));
   return totals;
 }
 
