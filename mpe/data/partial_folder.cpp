@@ -1,4 +1,5 @@
 #include <folk/games/error.h>
+#include <folk/games/text_file.h>
 #include <folk/mpe/data/partial_folder.h>
 
 #include <fcntl.h>
