@@ -5,7 +5,6 @@
 #include <algorithm>
 
 namespace folk {
-namespace {
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t");
@@ -13,7 +12,17 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-}  // namespace
+LastArgument split_last_argument(std::string_view arguments) {
+  const auto semicolon = arguments.rfind(';');
+  if (semicolon == std::string_view::npos) return {arguments, std::nullopt};
+  return {arguments.substr(0, semicolon), trimmed(arguments.substr(semicolon + 1))};
+}
+
+std::optional<std::string_view> value_of_option(std::string_view argument, std::string_view name) {
+  const auto equals = argument.find('=');
+  if (equals == std::string_view::npos || name_key(argument.substr(0, equals)) != name) return std::nullopt;
+  return trimmed(argument.substr(equals + 1));
+}
 
 std::string name_key(std::string_view name) {
   std::string key;
@@ -43,6 +52,9 @@ std::vector<std::string> split_list(std::string_view text) {
       quoted = true;
     } else if (c == '(' || c == '[') {
       closers += c == '(' ? ')' : ']';
+      if (closers.size() > deepest_brackets)
+        throw UsageError(
+            fmt::format("'{}': brackets stand in each other more than {} deep", excerpt(text), deepest_brackets));
     } else if (!closers.empty() && c == closers.back()) {
       closers.pop_back();
     } else if (c == ',' && closers.empty()) {

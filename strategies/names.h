@@ -1,6 +1,7 @@
 #pragma once
 // How names of strategies are matched, and lists of them taken apart.
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,9 +12,27 @@ namespace folk {
 /// A name as it is matched: lower case, without blanks, '_' and '-'.
 std::string name_key(std::string_view name);
 
+/// Without the blanks and tabs around it.
+std::string_view trimmed(std::string_view text);
+
 /// Parts of a comma list; commas inside (), [] or double quotes do not split; blanks around parts are dropped.
-/// Throws UsageError on an unclosed bracket or quote.
+/// Throws UsageError on an unclosed bracket or quote, and for brackets more than deepest_brackets deep.
 std::vector<std::string> split_list(std::string_view text);
+
+/// Rosters may stand in each other, and are read by functions that call each other as deep.
+inline constexpr std::size_t deepest_brackets = 32;
+
+/// "SPEC;LAST", what stands between the brackets of bayes, sample and half, at its last semicolon: earlier ones may
+/// belong to SPEC, as in mem1(c;1,0,0,1). LAST is trimmed.
+struct LastArgument {
+  std::string_view spec;
+  std::optional<std::string_view> last;
+};
+LastArgument split_last_argument(std::string_view arguments);
+
+/// The trimmed text after "NAME=" where an argument is of that form, the name matched as names are (`name` is a
+/// name_key); nothing for any other.
+std::optional<std::string_view> value_of_option(std::string_view argument, std::string_view name);
 
 /// True for what a user may call a strategy, in a machine file or by a label: at most longest_name letters, digits and
 /// _ . - +, a letter or a digit first.

@@ -71,12 +71,17 @@ void Registry::add_form(Description description,
 }
 
 void Registry::add_roster(Description description, std::string members) {
-  group_makers_[name_key(description.name)] = {std::move(members), nullptr};
+  group_makers_[name_key(description.name)] = {std::move(members), nullptr, nullptr};
   groups_.push_back(std::move(description));
 }
 
-void Registry::add_family(Description description, GroupMaker make) {
-  group_makers_[name_key(split_call(description.name).head)] = {{}, std::move(make)};
+void Registry::add_family(Description description, FamilyMaker make) {
+  group_makers_[name_key(split_call(description.name).head)] = {{}, std::move(make), nullptr};
+  groups_.push_back(std::move(description));
+}
+
+void Registry::add_selection(Description description, SelectionMaker make) {
+  group_makers_[name_key(split_call(description.name).head)] = {{}, nullptr, std::move(make)};
   groups_.push_back(std::move(description));
 }
 
@@ -90,33 +95,41 @@ const Registry::Named* Registry::find_named(std::string_view name) const {
   return found == named_.end() ? nullptr : &found->second;
 }
 
-std::vector<Strategy> Registry::item(std::string_view item, const Payoffs& payoffs) const {
+Pool Registry::item(std::string_view item, const Payoffs& payoffs) const {
   const auto [label, spec] = split_label(item);
   auto found = unlabelled(spec, payoffs);
   if (!label) return found;
-  if (found.size() != 1)
+  auto strategies = list_of(std::move(found));
+  if (strategies.size() != 1)
     throw UsageError(fmt::format("'{}': a label names one strategy, not {} (of a file: {}=@FILE#NAME)", excerpt(item),
-                                 found.size(), *label));
-  Strategy& strategy = found.front();
+                                 strategies.size(), *label));
+  Strategy& strategy = strategies.front();
   if (strategy.caveat.starts_with(strategy.name)) strategy.caveat.replace(0, strategy.name.size(), *label);
   strategy.name = *label;
   strategy.of_family = false;
+  return {std::move(strategies), {}};
+}
+
+Pool Registry::members_of(const Group& group, std::optional<std::string_view> arguments, const Payoffs& payoffs) const {
+  auto found = group.family ? pool_of(group.family(*arguments))
+               : group.selection
+                   ? group.selection(*arguments, [&](std::string_view spec) { return pool(spec, payoffs); })
+                   : items(group.members, payoffs);
+  for (auto& strategy : found.listed) strategy.of_family = true;
   return found;
 }
 
-std::vector<Strategy> Registry::unlabelled(std::string_view item, const Payoffs& payoffs) const {
+Pool Registry::unlabelled(std::string_view item, const Payoffs& payoffs) const {
   for (const auto& [prefix, description, make] : prefixes_)
-    if (item.substr(0, prefix.size()) == prefix) return make(item.substr(prefix.size()), payoffs);
+    if (item.substr(0, prefix.size()) == prefix) return {make(item.substr(prefix.size()), payoffs), {}};
   const Call call = split_call(item);
   const std::string key = name_key(call.head);
   if (const auto group = group_makers_.find(key); group != group_makers_.end()) {
-    const auto& [members, make] = group->second;
-    if (call.arguments.has_value() == (make == nullptr))
-      throw UsageError(
-          fmt::format("'{}': {}", excerpt(item), make ? "needs its parameters in parentheses" : "takes no parameters"));
-    auto found = make ? make(*call.arguments, payoffs) : items(members, payoffs);
-    for (auto& strategy : found) strategy.of_family = true;
-    return found;
+    const bool is_roster = !group->second.family && !group->second.selection;
+    if (call.arguments.has_value() == is_roster)
+      throw UsageError(fmt::format("'{}': {}", excerpt(item),
+                                   is_roster ? "takes no parameters" : "needs its parameters in parentheses"));
+    return members_of(group->second, call.arguments, payoffs);
   }
   if (const auto named = named_.find(key); named != named_.end()) {
     const auto& description = strategies_[named->second.description];
@@ -124,35 +137,46 @@ std::vector<Strategy> Registry::unlabelled(std::string_view item, const Payoffs&
       throw UsageError(fmt::format(
           "'{}': {}", excerpt(item),
           call.arguments ? "takes no parameters" : fmt::format("needs its parameters, as in {}", description.name)));
-    return {named->second.make(description.name, call.arguments.value_or(""), payoffs)};
+    return {{named->second.make(description.name, call.arguments.value_or(""), payoffs)}, {}};
   }
   for (const auto& form : forms_)
-    if (auto strategy = form.make(item, payoffs)) return {*std::move(strategy)};
+    if (auto strategy = form.make(item, payoffs)) return {{*std::move(strategy)}, {}};
   unknown(item);
 }
 
 Strategy Registry::make(std::string_view name, const Payoffs& payoffs) const {
   const auto parts = split_list(name);
   if (parts.size() != 1) throw UsageError(fmt::format("'{}': expected the name of one strategy", excerpt(name)));
-  auto found = item(parts.front(), payoffs);
+  auto found = list_of(item(parts.front(), payoffs));
   if (found.size() != 1)
     throw UsageError(fmt::format("'{}' stands for {} strategies: expected one (of a file: @FILE#NAME)", excerpt(name),
                                  found.size()));
   return std::move(found.front());
 }
 
-std::vector<Strategy> Registry::items(std::string_view spec, const Payoffs& payoffs) const {
-  std::vector<Strategy> found;
+Pool Registry::items(std::string_view spec, const Payoffs& payoffs) const {
+  Pool found;
   for (const auto& part : split_list(spec)) {
-    auto strategies = item(part, payoffs);
-    std::move(strategies.begin(), strategies.end(), std::back_inserter(found));
+    auto [listed, unlisted] = item(part, payoffs);
+    std::move(listed.begin(), listed.end(), std::back_inserter(found.listed));
+    std::move(unlisted.begin(), unlisted.end(), std::back_inserter(found.unlisted));
   }
   return found;
 }
 
-std::vector<Strategy> Registry::roster(std::string_view spec, const Payoffs& payoffs) const {
+Pool Registry::pool(std::string_view spec, const Payoffs& payoffs) const {
   refuse_repeated_groups(split_list(spec));
-  std::vector<Strategy> roster = merged(items(spec, payoffs));
+  Pool found = items(spec, payoffs);
+  found.listed = merged(std::move(found.listed));
+  std::set<std::string> seen;
+  for (const auto& family : found.unlisted)
+    if (!seen.insert(family.name).second)
+      throw UsageError(fmt::format("'{}' is given twice: name it once", family.name));
+  return found;
+}
+
+std::vector<Strategy> Registry::roster(std::string_view spec, const Payoffs& payoffs) const {
+  auto roster = list_of(pool(spec, payoffs));
   if (roster.empty())
     throw UsageError("the roster is empty: name strategies, as in 'classics' or 'pavlov,tit_for_tat'");
   return roster;

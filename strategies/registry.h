@@ -4,6 +4,7 @@
 #include <folk/games/payoffs.h>
 #include <folk/games/text_file.h>
 #include <folk/strategies/names.h>
+#include <folk/strategies/pool.h>
 #include <folk/strategies/strategy.h>
 
 #include <functional>
@@ -30,6 +31,13 @@ using NamedMaker = std::function<Strategy(const std::string& name, std::string_v
 /// Makes all strategies that an item of a roster stands for, in order.
 using GroupMaker = std::function<std::vector<Strategy>(std::string_view item, const Payoffs&)>;
 
+/// Makes the family of these arguments, "1,2" of "memory(1,2)".
+using FamilyMaker = std::function<Family(std::string_view arguments)>;
+
+/// Takes some of the strategies of a SPEC that stands among its arguments, "SPEC;40": `read` gives what SPEC names.
+using SelectionMaker =
+    std::function<Pool(std::string_view arguments, const std::function<Pool(std::string_view spec)>& read)>;
+
 /// Gives the text of a file that a roster names.
 using FileReader = std::function<std::string(const std::string& path)>;
 
@@ -53,7 +61,10 @@ public:
   void add_roster(Description description, std::string members);
 
   /// A family with arguments: "memory(1,2)".
-  void add_family(Description description, GroupMaker make);
+  void add_family(Description description, FamilyMaker make);
+
+  /// A choice among other strategies: "sample(SPEC;40)".
+  void add_selection(Description description, SelectionMaker make);
 
   /// Items that begin with `prefix`; what follows is handed on untouched, case and all ("exec:", "@", "sct:").
   void add_prefix(Description description, std::string prefix, GroupMaker make);
@@ -62,9 +73,9 @@ public:
   /// when there is none or several.
   Strategy make(std::string_view name, const Payoffs& payoffs = {}) const;
 
-  /// All strategies of a comma list of names, rosters, families, genotypes, @file, exec:"CMD"; LABEL= before an item
-  /// that stands for one strategy renames it. Commas inside () or quotes do not split. What rosters and families share
-  /// is there once. Throws UsageError on an unknown or repeated name and on an empty roster.
+  /// All strategies of a comma list of names, rosters, families, samples, genotypes, @file, exec:"CMD"; LABEL= before
+  /// an item that stands for one strategy renames it. Commas inside () or quotes do not split. What rosters and
+  /// families share is there once. Throws UsageError on an unknown or repeated name and on an empty roster.
   std::vector<Strategy> roster(std::string_view spec, const Payoffs& payoffs = {}) const;
 
   /// Everything listed, in the order of its adding.
@@ -85,9 +96,10 @@ private:
     std::size_t description;
     std::function<std::optional<Strategy>(std::string_view, const Payoffs&)> make;
   };
-  struct Group {
-    std::string members;  // of a roster
-    GroupMaker make;      // of a family
+  struct Group {  // one of the three
+    std::string members;
+    FamilyMaker family;
+    SelectionMaker selection;
   };
   struct Prefix {
     std::string prefix;
@@ -95,10 +107,12 @@ private:
     GroupMaker make;
   };
 
-  std::vector<Strategy> item(std::string_view item, const Payoffs& payoffs) const;
-  std::vector<Strategy> unlabelled(std::string_view item, const Payoffs& payoffs) const;
+  Pool item(std::string_view item, const Payoffs& payoffs) const;
+  Pool unlabelled(std::string_view item, const Payoffs& payoffs) const;
+  Pool members_of(const Group& group, std::optional<std::string_view> arguments, const Payoffs& payoffs) const;
   void refuse_repeated_groups(const std::vector<std::string>& parts) const;
-  std::vector<Strategy> items(std::string_view spec, const Payoffs& payoffs) const;
+  Pool items(std::string_view spec, const Payoffs& payoffs) const;
+  Pool pool(std::string_view spec, const Payoffs& payoffs) const;
   const Named* find_named(std::string_view name) const;
   [[noreturn]] void unknown(std::string_view name) const;
 

@@ -159,12 +159,6 @@ private:
 
 // ---- its name ----------------------------------------------------------------------------------------------------
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(' ');
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
-
 /// "SPEC;depth=H" as SPEC and H. Other semicolons belong to SPEC, as in mem1(c;1,0,0,1).
 struct Arguments {
   std::string_view spec;
@@ -172,14 +166,10 @@ struct Arguments {
 };
 
 Arguments arguments_of(std::string_view text) {
-  const auto semicolon = text.rfind(';');
-  if (semicolon == std::string_view::npos) return {text, std::nullopt};
-  const std::string_view option = trimmed(text.substr(semicolon + 1));
-  const auto equals = option.find('=');
-  if (equals == std::string_view::npos || name_key(trimmed(option.substr(0, equals))) != "depth")
-    return {text, std::nullopt};
-  const auto depth = parse_whole_number(trimmed(option.substr(equals + 1)), "bayes depth", 1, most_lookahead);
-  return {text.substr(0, semicolon), static_cast<unsigned>(depth)};
+  const auto [spec, last] = split_last_argument(text);
+  const auto given = last ? value_of_option(*last, "depth") : std::nullopt;
+  if (!given) return {text, std::nullopt};
+  return {spec, static_cast<unsigned>(parse_whole_number(*given, "bayes depth", 1, most_lookahead))};
 }
 
 /// SPEC with every name as the registry writes it; what is no single name stays as it was given.

@@ -1,5 +1,6 @@
 #include <folk/games/criterion.h>
 #include <folk/games/error.h>
+#include <folk/strategies/names.h>
 #include <folk/strategies/programs/program_rules.h>
 #include <folk/strategies/quoted_text.h>
 
@@ -30,12 +31,6 @@ std::size_t end_of_quotes(std::string_view text) {
       return i;
   }
   return std::string_view::npos;
-}
-
-std::string_view trimmed(std::string_view text) {
-  const auto begin = text.find_first_not_of(' ');
-  return begin == std::string_view::npos ? std::string_view()
-                                         : text.substr(begin, text.find_last_not_of(' ') - begin + 1);
 }
 
 [[noreturn]] void refuse_form(std::string_view text) {

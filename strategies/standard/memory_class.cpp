@@ -49,9 +49,9 @@ MemoryMachine MemoryClass::member(const std::vector<bool>& genes) const {
   return MemoryMachine(own_memory_, their_memory_, {genes.begin(), split}, {split, genes.end()});
 }
 
-MemoryMachine MemoryClass::member(std::uint64_t index) const {
+MemoryMachine MemoryClass::member(Integer index) const {
   std::vector<bool> moves(genes());
-  for (std::size_t i = 0; i < moves.size(); ++i) moves[i] = ((index >> (moves.size() - 1 - i)) & 1U) != 0;
+  for (std::size_t i = moves.size(); i-- > 0; index /= 2) moves[i] = !(index % 2).is_zero();
   return member(moves);
 }
 

@@ -2,6 +2,7 @@
 // A complete class of Mathieu & Delahaye: every strategy of one memory, so that nobody's choice of opponents decides.
 
 #include <folk/games/integer.h>
+#include <folk/strategies/pool.h>
 #include <folk/strategies/standard/memory_machine.h>
 
 #include <cstdint>
@@ -20,7 +21,7 @@ public:
   MemoryClass(unsigned own_memory, unsigned their_memory);
 
   /// Rosters list the members of classes up to this size, to play them one by one.
-  static constexpr std::uint64_t most_listed = 20'000;
+  static constexpr std::uint64_t most_listed = Family::most_listed;
 
   /// Reads what stands between the brackets of "memory(X,Y)". Throws UsageError.
   static MemoryClass of_arguments(std::string_view arguments);
@@ -46,8 +47,8 @@ public:
   /// The member of these genes, `genes()` of them.
   MemoryMachine member(const std::vector<bool>& genes) const;
 
-  /// Member number `index` in the order of the genes, the first gene counting most. Fewer than 64 genes.
-  MemoryMachine member(std::uint64_t index) const;
+  /// Member number `index` in the order of the genes, the first gene counting most.
+  MemoryMachine member(Integer index) const;
 
   bool operator==(const MemoryClass&) const = default;
 

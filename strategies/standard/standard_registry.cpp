@@ -16,6 +16,7 @@
 #include <folk/strategies/standard/memory_class.h>
 #include <folk/strategies/standard/memory_machine.h>
 #include <folk/strategies/standard/periodic_machine.h>
+#include <folk/strategies/standard/selections.h>
 
 #include <array>
 #include <limits>
@@ -67,7 +68,10 @@ std::vector<Rational> probabilities(const std::vector<std::string>& arguments, s
 template <class Numbers>
 std::string listed(const Numbers& numbers) {
   std::string text;
-  for (const Rational& number : numbers) text += (text.empty() ? "" : ",") + to_short_text(number);
+  for (const Rational& number : numbers) {
+    if (!text.empty()) text += ',';
+    text += to_short_text(number);
+  }
   return text;
 }
 
@@ -329,50 +333,57 @@ void add_forms(Registry& registry, FileReader read) {
 
 // ---- rosters and families ----
 
+Family memory_family(std::string_view arguments) {
+  const MemoryClass members = MemoryClass::of_arguments(arguments);
+  const std::string name = members.name();
+  return {name, members.size(),
+          [members](const Integer& number) {
+            auto machine = members.member(number);
+            std::string genotype = machine.name();
+            return strategy(std::move(genotype), std::move(machine));
+          },
+          fmt::format("{} has {} members, more than the {} that can be listed: it is ranked as a whole by "
+                      "ipd-tournament --strategies '{}' alone, scores entrants by --class '{}', and lends some of its "
+                      "members by 'sample({};40)'",
+                      name, members.size_text(), Family::most_listed, name, name, name)};
+}
+
+/// Word number 0, 1, ...: "c", "d", "cc", "cd", ...
+Strategy word_of_number(std::uint64_t number) {
+  unsigned length = 1;
+  for (; number >= std::uint64_t{1} << length; ++length) number -= std::uint64_t{1} << length;
+  std::string word;
+  for (unsigned i = length; i-- > 0;) word += ((number >> i) & 1U) != 0 ? 'd' : 'c';
+  return strategy("per_" + word, PeriodicMachine(word));
+}
+
+/// Number 0, 1, ... of those that open with C, then of those that open with D.
+Strategy probabilities_of_number(std::uint64_t number, unsigned steps) {
+  const std::uint64_t values = steps + 1;
+  const std::uint64_t tables = values * values * values * values;
+  const bool opens_with_c = number < tables;
+  FourProbabilities p{};
+  for (std::size_t i = 4; i-- > 0; number /= values) p[i] = Rational(number % values, steps);
+  return memory_one_strategy(opens_with_c ? 1 : 0, p);
+}
+
+std::uint64_t small_number(const Integer& number) { return static_cast<std::uint64_t>(number.word()); }
+
 void add_families(Registry& registry) {
-  registry.add_family(
-      {"memory(X,Y)", {}, "all genotypes of own last X and their last Y moves", mathieu_delahaye},
-      [](std::string_view text, const Payoffs&) {
-        const MemoryClass members = MemoryClass::of_arguments(text);
-        if (members.size() > Integer(MemoryClass::most_listed))
-          throw UsageError(fmt::format(
-              "{} has {} members, more than the {} that can be listed: it is ranked as a whole "
-              "by ipd-tournament --strategies '{}' alone, or scores entrants by --class '{}'",
-              members.name(), members.size_text(), MemoryClass::most_listed, members.name(), members.name()));
-        std::vector<Strategy> family;
-        for (std::uint64_t i = 0; i < std::uint64_t{1} << members.genes(); ++i) {
-          auto machine = members.member(i);
-          std::string name = machine.name();
-          family.push_back(strategy(std::move(name), std::move(machine)));
-        }
-        return family;
-      });
+  registry.add_family({"memory(X,Y)", {}, "all genotypes of own last X and their last Y moves", mathieu_delahaye},
+                      memory_family);
   registry.add_family({"periodic(n)", {}, "all words of up to n moves, for ever", mathieu_delahaye},
-                      [](std::string_view text, const Payoffs&) {
+                      [](std::string_view text) {
                         const unsigned longest = small_whole(std::string(text), "periodic(n) n", 1, 13);
-                        std::vector<Strategy> family;
-                        for (unsigned length = 1; length <= longest; ++length)
-                          for (unsigned code = 0; code < 1U << length; ++code) {
-                            std::string word;
-                            for (unsigned i = length; i-- > 0;) word += ((code >> i) & 1U) != 0 ? 'd' : 'c';
-                            family.push_back(strategy("per_" + word, PeriodicMachine(word)));
-                          }
-                        return family;
+                        return Family{fmt::format("periodic({})", longest), (Integer(2) << longest) - 2,
+                                      [](const Integer& number) { return word_of_number(small_number(number)); }};
                       });
   registry.add_family(
       {"proba(K)", {}, "all mem1 with first move c or d and probabilities 0, 1/K, ..., 1", mathieu_delahaye},
-      [](std::string_view text, const Payoffs&) {
+      [](std::string_view text) {
         const unsigned steps = small_whole(std::string(text), "proba(K) K", 1, 9);
-        std::vector<Strategy> family;
-        const unsigned values = steps + 1;
-        for (const int first : {1, 0})
-          for (unsigned code = 0; code < values * values * values * values; ++code) {
-            FourProbabilities p{};
-            unsigned rest = code;
-            for (std::size_t i = 4; i-- > 0; rest /= values) p[i] = Rational(rest % values, steps);
-            family.push_back(memory_one_strategy(first, p));
-          }
-        return family;
+        return Family{fmt::format("proba({})", steps), 2 * pow(Integer(steps + 1), 4),
+                      [steps](const Integer& number) { return probabilities_of_number(small_number(number), steps); }};
       });
 }
 
@@ -403,6 +414,7 @@ Registry Registry::standard(FileReader read) {
   add_parametric(registry);
   add_forms(registry, std::move(read));
   add_families(registry);
+  add_selections(registry);
   add_rosters(registry);
   return registry;
 }

@@ -33,11 +33,23 @@ TEST(SplitList, KeepsBracketsAndQuotesWhole) {
   EXPECT_EQ(split_list(" , ,"), std::vector<std::string>{});
   EXPECT_THROW(split_list("a(1,2"), UsageError);
   EXPECT_THROW(split_list("exec:\"x"), UsageError);
+  const auto deep = [](std::size_t n) { return std::string(n, '(') + std::string(n, ')'); };
+  EXPECT_EQ(split_list(deep(deepest_brackets)).size(), 1U);
+  EXPECT_THROW(split_list(deep(deepest_brackets + 1)), UsageError);
 }
 
 TEST(NameKey, DropsCaseBlanksUnderscoresAndDashes) {
   EXPECT_EQ(name_key("Tit-For_Tat"), "titfortat");
   EXPECT_EQ(name_key(" Win-Stay\tLose-Shift "), "winstayloseshift");
+}
+
+TEST(SplitLastArgument, TakesWhatStandsBehindTheLastSemicolon) {
+  EXPECT_EQ(split_last_argument("mem1(c;1,0,0,1) ; 4 ").last, "4");
+  EXPECT_EQ(split_last_argument("a;b;c").spec, "a;b");
+  EXPECT_FALSE(split_last_argument("classics").last);
+  EXPECT_EQ(value_of_option("Seed = 7", "seed"), "7");
+  EXPECT_FALSE(value_of_option("depth=7", "seed"));
+  EXPECT_FALSE(value_of_option("seed", "seed"));
 }
 
 TEST(SplitLabel, TakesWhatStandsBeforeTheSign) {

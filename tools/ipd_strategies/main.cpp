@@ -121,29 +121,55 @@ void print_list(const std::vector<Entry>& entries, const std::vector<Description
   print("rosters and families", groups);
 }
 
+void print_data(const std::vector<Entry>& entries, const std::vector<Description>& groups, Format format) {
+  if (format == Format::csv) {
+    std::cout << entry_csv_header;
+    for (const auto& entry : entries) std::cout << entry_csv("strategy", entry);
+    for (const auto& group : groups) std::cout << entry_csv("group", {group, std::nullopt});
+    return;
+  }
+  Json json;
+  json["strategies"] = Json::array();
+  for (const auto& entry : entries) json["strategies"].push_back(entry_json(entry));
+  json["groups"] = Json::array();
+  for (const auto& group : groups)
+    json["groups"].push_back({{"name", group.name},
+                              {"aliases", group.aliases},
+                              {"behaviour", group.behaviour},
+                              {"reference", group.reference}});
+  std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+}
+
 int list(const Common& common) {
   const Registry registry = standard_names();
   std::vector<Entry> entries;
   for (const auto& description : registry.strategies())
     entries.push_back({description, facts_of_name(registry, description.name)});
-  if (common.format == Format::text) {
+  if (common.format == Format::text)
     print_list(entries, registry.groups());
-  } else if (common.format == Format::csv) {
-    std::cout << entry_csv_header;
-    for (const auto& entry : entries) std::cout << entry_csv("strategy", entry);
-    for (const auto& group : registry.groups()) std::cout << entry_csv("group", {group, std::nullopt});
-  } else {
-    Json json;
-    json["strategies"] = Json::array();
-    for (const auto& entry : entries) json["strategies"].push_back(entry_json(entry));
-    json["groups"] = Json::array();
-    for (const auto& group : registry.groups())
-      json["groups"].push_back({{"name", group.name},
-                                {"aliases", group.aliases},
-                                {"behaviour", group.behaviour},
-                                {"reference", group.reference}});
-    std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+  else
+    print_data(entries, registry.groups(), common.format);
+  return done;
+}
+
+/// Whom a SPEC names, with what can be computed of each.
+int list_roster(const std::string& spec, const Payoffs& payoffs, const Common& common) {
+  std::vector<Entry> entries;
+  for (const auto& strategy : standard_names().roster(spec, payoffs))
+    entries.push_back(
+        {{strategy.name, {}, {}, {}}, strategy.machine ? std::optional(facts_of(*strategy.machine)) : std::nullopt});
+  if (common.format != Format::text) {
+    print_data(entries, {}, common.format);
+    return done;
   }
+  Table table({"name", "memory", "states", "deterministic", "nice"});
+  for (const auto& [description, facts] : entries)
+    if (facts)
+      table.add({description.name, to_string(facts->memory), states_text(*facts, facts->states),
+                 yes_no(facts->deterministic), yes_no(facts->niceness.nice)});
+    else
+      table.add({description.name, "-", "-", "-", "-"});
+  std::cout << table.text();
   return done;
 }
 
@@ -254,16 +280,18 @@ int diff(const std::string& a, const std::string& b, Sense sense, std::size_t mo
 Program ipd_strategies() {
   Program program;
   program.name = "ipd-strategies";
-  program.usage = "list | show NAME | diff A B | reply OPPONENTS | champion [options]";
+  program.usage = "list [SPEC] | show NAME | diff A B | reply OPPONENTS | champion [options]";
   program.summary =
-      "list: every strategy, roster and family, with what can be computed of it. show: all that is known of one,\n"
-      "with its machine. diff: proves that two strategies answer alike, or prints the shortest play of the opponent\n"
+      "list: every strategy, roster and family, with what can be computed of it, or those of SPEC. show: all that is\n"
+      "known of one, with its machine. diff: proves that two strategies answer alike, or prints the shortest play of "
+      "the opponent\n"
       "that separates them. reply: the best reply to a machine, or with --memory-one the best memory-one reply that "
       "is\n"
       "found to several. champion: the member of a complete class that earns most against all of them, proved up to\n"
       "memory(2,2), else as a search finds it. NAME is a strategy, @FILE or @FILE#MACHINE (@- is the standard input); "
       "LABEL=NAME renames it.";
   program.examples = {"ipd-strategies list",
+                      "ipd-strategies list 'sample(memory(2,2);5;seed=7)'",
                       "ipd-strategies show pavlov",
                       "ipd-strategies diff spiteful mem11_cCDDD",
                       "ipd-strategies diff spiteful mem11_cCDDD --any-own-moves",
@@ -291,12 +319,14 @@ int answer(const po::variables_map& values, const Common& common) {
   const std::size_t most_pairs = whole_option(values, "most-pairs", 1'000'000, 1, 10'000'000);
   const std::string& command = words.front();
   if (command == "list" && words.size() == 1) return list(common);
+  if (command == "list" && words.size() == 2) return list_roster(words[1], payoffs, common);
   if (command == "show" && words.size() == 2) return show(words[1], payoffs, common);
   if (command == "diff" && words.size() == 3) return diff(words[1], words[2], sense, most_pairs, payoffs, common);
   if (command == "reply" && words.size() == 2) return reply(words[1], payoffs, values, common);
   if (command == "champion" && words.size() == 1) return champion(payoffs, values, common);
   if (command == "champion") throw UsageError("champion takes no names: ipd-strategies champion --class 'memory(2,2)'");
-  if (command == "list") throw UsageError("list takes no names: ipd-strategies list, or ipd-strategies show NAME");
+  if (command == "list")
+    throw UsageError("list takes at most one SPEC: ipd-strategies list, or ipd-strategies list classics");
   if (command == "show") throw UsageError("show takes one name: ipd-strategies show pavlov");
   if (command == "diff") throw UsageError("diff takes two names: ipd-strategies diff spiteful mem11_cCDDD");
   if (command == "reply") throw UsageError("reply takes one SPEC of opponents: ipd-strategies reply pavlov");

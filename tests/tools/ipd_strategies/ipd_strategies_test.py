@@ -56,6 +56,14 @@ class List(unittest.TestCase):
         majo = next(s for s in listed["strategies"] if s["name"] == "soft_majo")
         self.assertEqual((majo["memory"], majo["states"]), ("unbounded", "infinite"))
 
+    def test_a_spec_lists_whom_it_names(self):
+        spec = "sample(memory(2,2);3;seed=7),soft_majo,exec:cat"
+        strategies = result("list", spec)["strategies"]
+        self.assertEqual([s["name"] for s in strategies][3:], ["soft_majo", 'exec:"cat"'])
+        self.assertEqual([s["states"] for s in strategies][3:], ["infinite", None])
+        lines = text("list", spec).splitlines()
+        self.assertEqual([line.split()[0] for line in lines[1:]], [s["name"] for s in strategies])
+
 
 class Show(unittest.TestCase):
     def test_what_is_shown_can_be_read_back(self):
