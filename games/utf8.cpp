@@ -12,7 +12,7 @@ namespace {
 namespace utf = boost::locale::utf;
 
 /// What is not drawn, from - to.
-constexpr std::array<std::array<utf::code_point, 2>, 11> undrawn_ranges{{{0x00, 0x1F},
+constexpr std::array<std::array<utf::code_point, 2>, 13> undrawn_ranges{{{0x00, 0x1F},
                                                                          {0x7F, 0x9F},
                                                                          {0xAD, 0xAD},
                                                                          {0x061C, 0x061C},
@@ -21,8 +21,10 @@ constexpr std::array<std::array<utf::code_point, 2>, 11> undrawn_ranges{{{0x00, 
                                                                          {0x2028, 0x202E},
                                                                          {0x2060, 0x2064},
                                                                          {0x2066, 0x2069},
+                                                                         {0xE000, 0xF8FF},  // private use
                                                                          {0xFEFF, 0xFEFF},
-                                                                         {0xFFFE, 0xFFFF}}};
+                                                                         {0xFFFE, 0xFFFF},
+                                                                         {0xF0000, 0x10FFFF}}};
 
 utf::code_point code_point(std::string_view character) {
   const char* begin = character.data();

@@ -78,6 +78,9 @@ TEST(Utf8, WhatIsNotDrawnIsShownByAnEscape) {
   EXPECT_EQ(visible_text("caf\xE9 \xE2\x82"), R"(caf\xe9 \xe2\x82)");
   EXPECT_EQ(visible_text("3\xEF\xBB\xBF \xE2\x80\x8B\xC2\xAD\xE2\x80\x8D"), "3\\u{feff} \\u{200b}\\u{ad}\xE2\x80\x8D");
   EXPECT_EQ(visible_text("\xEF\xBF\xBE\xEF\xBF\xBD"), "\\u{fffe}\xEF\xBF\xBD");
+  // For private use: what is drawn there, if anything, only a font knows.
+  EXPECT_EQ(visible_text("\xEE\x80\x80\xEF\xA3\xBF\xEF\xA4\x80\xF3\xB0\x80\x80"),
+            "\\u{e000}\\u{f8ff}\xEF\xA4\x80\\u{f0000}");
 }
 
 TEST(Utf8, VisibleTextIsCutBetweenCharacters) {

@@ -34,7 +34,7 @@ Output output_named(const std::string& path) {
   if (extension == ".dot") return {path, std::nullopt};
   for (const auto format : {PictureFormat::svg, PictureFormat::png, PictureFormat::pdf})
     if (extension == "." + to_string(format)) return {path, format};
-  throw UsageError(fmt::format("-o {}: the extension says the format: .svg, .png, .pdf or .dot", path));
+  throw UsageError(fmt::format("-o {}: the extension says the format: .svg, .png, .pdf or .dot", excerpt(path, 200)));
 }
 
 /// The smallest automaton of a finite machine, or nothing when it has too many states to find out.
