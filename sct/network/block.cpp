@@ -61,14 +61,6 @@ void gather(const Matrix<S>& from, const std::vector<Index>& rows, Matrix<S>& to
   for (std::size_t i = 0; i < rows.size(); ++i) to.row(index(i)) = from.row(rows[i]);
 }
 
-/// The rows of kv, as many of each window, behind those of the tokens before.
-template <class S>
-void keep_keys(const Matrix<S>& kv, const TokenRows& rows, const KeptKeys<S>& kept) {
-  const Index added = kv.rows() / index(rows.windows());
-  for (std::size_t w = 0; w < rows.windows(); ++w)
-    kept.kv.middleRows(rows.first_token[w] + kept.before, added) = kv.middleRows(index(w) * added, added);
-}
-
 }  // namespace
 
 BlockTensors::BlockTensors(const ParameterLayout& layout, std::size_t layer) {
@@ -89,7 +81,7 @@ BlockTensors::BlockTensors(const ParameterLayout& layout, std::size_t layer) {
 
 template <class S>
 void block_forward(const BlockTensors& tensors, const S* parameters, const AttentionShape& shape, Matrix<S>& x,
-                   BlockTape<S>& tape, BlockScratch<S>& scratch, const KeptKeys<S>* kept) {
+                   BlockTape<S>& tape, BlockScratch<S>& scratch, const AttentionAtPlay<S>& at_play) {
   const auto& rows = shape.rows;
   auto& room = scratch.room(rows);
   const Index h = x.cols();
@@ -108,13 +100,15 @@ void block_forward(const BlockTensors& tensors, const S* parameters, const Atten
   tape.q.rowwise() += bias.head(h);
   set_product(tape.kv, operand(tape.normal_1), operand(weights.rightCols(2 * h)));
   tape.kv.rowwise() += bias.tail(2 * h);
-  if (kept != nullptr) keep_keys(tape.kv, rows, *kept);
-  attend(shape, tape.q, kept != nullptr ? kept->kv : tape.kv, tape.attention, tape.context);
+  if (at_play)
+    at_play(tape);
+  else
+    attend(shape, tape.q, tape.kv, tape.attention, tape.context);
 
   /// x += dropped(y * weight + bias)
   const auto add = [&](const Matrix<S>& y, const Tensor& weight, const Tensor& y_bias, std::size_t site,
                        std::vector<std::uint8_t>& keep) {
-    if (kept != nullptr) {
+    if (at_play) {
       // Straight onto x, which is faster. Training adds a finished product, without dropout too: where a sum has more
       // terms than a panel of gemm.cpp the last bits differ, and what was played and trained is to remain so.
       add_product(x, operand(y), operand(as_matrix(parameters, weight)));
@@ -129,7 +123,7 @@ void block_forward(const BlockTensors& tensors, const S* parameters, const Atten
   add(tape.context, tensors.projection, tensors.projection_bias, projection_site, tape.keep_projection);
 
   // At play the first normalisation's room, still in the cache, serves the second too.
-  const bool again = kept != nullptr && rows.all;
+  const bool again = at_play && rows.all;
   auto& normal_2 = again ? tape.normal_1 : tape.normal_2;
   layer_norm(x, parameters + tensors.norm_2_gain.offset, parameters + tensors.norm_2_bias.offset,
              again ? tape.norm_1 : tape.norm_2, normal_2);
@@ -196,9 +190,9 @@ void block_backward(const BlockTensors& tensors, const S* parameters, const Atte
 }
 
 template void block_forward(const BlockTensors&, const float*, const AttentionShape&, Matrix<float>&, BlockTape<float>&,
-                            BlockScratch<float>&, const KeptKeys<float>*);
+                            BlockScratch<float>&, const AttentionAtPlay<float>&);
 template void block_forward(const BlockTensors&, const double*, const AttentionShape&, Matrix<double>&,
-                            BlockTape<double>&, BlockScratch<double>&, const KeptKeys<double>*);
+                            BlockTape<double>&, BlockScratch<double>&, const AttentionAtPlay<double>&);
 template void block_backward(const BlockTensors&, const float*, const AttentionShape&, const BlockTape<float>&,
                              Matrix<float>&, float*, BlockScratch<float>&);
 template void block_backward(const BlockTensors&, const double*, const AttentionShape&, const BlockTape<double>&,

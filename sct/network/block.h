@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace folk::sct {
@@ -53,19 +54,16 @@ struct BlockScratch {
   Room& room(const TokenRows& rows) { return rooms[rows.all ? 0 : 1]; }
 };
 
-/// Keys and values that are kept from token to token at play.
+/// How tokens attend at play, where keys and values of earlier ones are kept: from tape.q and tape.kv, which are of the
+/// newest tokens alone, to tape.context.
 template <class S>
-struct KeptKeys {
-  Matrix<S>& kv;  ///< each window's from its first_token on  [rows.tokens(), 2h]
-  Index before;   ///< how many tokens of each window they are of so far
-};
+using AttentionAtPlay = std::function<void(BlockTape<S>&)>;
 
-/// x [tokens, h] becomes [queries, h]. With `kept`, which is for play, x holds only the newest tokens of each window,
-/// as many of each: their keys and values are added to the kept ones, rows.row counts in x, and the tape is of no use
-/// for a backward pass.
+/// x [tokens, h] becomes [queries, h]. With `at_play` x holds only the newest tokens, rows.row counts in x, and the
+/// tape is of no use for a backward pass.
 template <class S>
 void block_forward(const BlockTensors& tensors, const S* parameters, const AttentionShape& shape, Matrix<S>& x,
-                   BlockTape<S>& tape, BlockScratch<S>& scratch, const KeptKeys<S>* kept = nullptr);
+                   BlockTape<S>& tape, BlockScratch<S>& scratch, const AttentionAtPlay<S>& at_play = nullptr);
 
 /// dx [queries, h] becomes [tokens, h]; the parameters' gradients are added to `gradient`.
 template <class S>

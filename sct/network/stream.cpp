@@ -28,6 +28,13 @@ void exchange_tokens(BlockTape<float>& a, BlockTape<float>& b) {
   a.kv.swap(b.kv);
 }
 
+/// The rows of kv, as many of each window, behind those of the tokens before.
+void keep_keys(const Matrix<float>& kv, const TokenRows& rows, Index before, Matrix<float>& kept) {
+  const Index added = kv.rows() / index(rows.windows());
+  for (std::size_t w = 0; w < rows.windows(); ++w)
+    kept.middleRows(rows.first_token[w] + before, added) = kv.middleRows(index(w) * added, added);
+}
+
 }  // namespace
 
 Stream::Stream(const Network<float>& network, const float* parameters, std::size_t windows, std::size_t rounds)
@@ -51,10 +58,13 @@ const Matrix<float>& Stream::append(const Matrix<float>& embedded, std::size_t a
   room.x = embedded;
   for (std::size_t l = 0; l < architecture.layers; ++l) {
     const bool some_ask = l + 1 == architecture.layers && !wanted.all;  // nobody wants the other tokens any more
-    const KeptKeys<float> kept{keys_and_values_[l], before};
+    const AttentionShape shape{some_ask ? wanted : every, architecture.heads, none, 0, 0};
     if (some_ask) exchange_tokens(room.early, room.last);
-    block_forward(network_.block(l), parameters_, {some_ask ? wanted : every, architecture.heads, none, 0, 0}, room.x,
-                  some_ask ? room.last : room.early, room.scratch, &kept);
+    block_forward<float>(network_.block(l), parameters_, shape, room.x, some_ask ? room.last : room.early, room.scratch,
+                         [&](BlockTape<float>& tape) {
+                           keep_keys(tape.kv, shape.rows, before, keys_and_values_[l]);
+                           attend(shape, tape.q, keys_and_values_[l], tape.attention, tape.context);
+                         });
     if (some_ask) exchange_tokens(room.early, room.last);
   }
   tokens_ += static_cast<std::size_t>(added);

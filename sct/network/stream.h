@@ -20,6 +20,9 @@ public:
   std::size_t windows() const { return windows_; }
   std::size_t tokens() const { return tokens_; }  ///< of each window
 
+  /// What a layer keeps of all tokens, keys beside values; of the first window in the first tokens() rows.
+  const Matrix<float>& keys_and_values(std::size_t layer) const { return keys_and_values_[layer]; }
+
   /// Forgets all tokens but the first `tokens`.
   void keep(std::size_t tokens) { tokens_ = std::min(tokens_, tokens); }
 

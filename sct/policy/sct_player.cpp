@@ -1,12 +1,14 @@
 #include <folk/analysis/play/parallel.h>
 #include <folk/games/error.h>
 #include <folk/games/outcome.h>
+#include <folk/sct/policy/planner.h>
 #include <folk/sct/policy/sct_player.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace folk::sct {
 namespace {
@@ -22,6 +24,8 @@ public:
     const auto& training = mind_->policy.training;
     if (!options_.extrapolate) refuse_unknown(match);
     rewards_ = match.payoffs.numbers();
+    rounds_ = match.criterion.is_finite() ? std::optional(match.criterion.rounds()) : std::nullopt;
+    continuation_ = match.criterion.continuation();
     double target = options_.target.value_or(training.return_target);
     if (match.criterion.is_finite() && match.criterion.rounds() < training.rounds)
       target *= static_cast<double>(match.criterion.rounds()) / static_cast<double>(training.rounds);
@@ -29,6 +33,7 @@ public:
     random_ = RandomStream(match.random);
     thought_.reset();
     thinker_.emplace(*mind_);
+    planner_.reset();
   }
 
   Move move() override {
@@ -53,6 +58,8 @@ public:
     auto copy = std::make_unique<TransformerPlayer>(name_, mind_, options_);
     copy->so_far_ = so_far_;
     copy->rewards_ = rewards_;
+    copy->rounds_ = rounds_;
+    copy->continuation_ = continuation_;
     copy->random_ = random_;
     copy->thought_ = thought_;
     if (so_far_.own.size() + (thought_ ? 1 : 0) < mind_->policy.architecture.context && thinker_)
@@ -85,7 +92,18 @@ private:
     if (!thinker_) thinker_.emplace(*mind_);
     std::optional<std::uint8_t> forced;
     if (options_.forced_belief) forced = static_cast<std::uint8_t>(bit(*options_.forced_belief));
-    thought_ = thinker_->think(so_far_, forced);
+    thought_ = options_.plan_depth ? plan(forced) : thinker_->think(so_far_, forced);
+  }
+
+  /// The move that is worth more, C where both are worth the same up to the rounding of the network.
+  Thought plan(std::optional<std::uint8_t> forced) {
+    if (!planner_) planner_.emplace(*mind_, PlanSettings{.depth = *options_.plan_depth, .continuation = continuation_});
+    const std::uint64_t left = rounds_ ? *rounds_ - so_far_.own.size() : most_plan_depth;
+    const Plan plan = planner_->plan(*thinker_, so_far_, rewards_,
+                                     static_cast<unsigned>(std::min<std::uint64_t>(left, most_plan_depth)), forced);
+    const auto [c, d] = plan.values;
+    constexpr double rounding = 1e-5;
+    return {plan.belief, d > c + rounding * std::max(std::abs(c), std::abs(d)) ? 0.0 : 1.0};
   }
 
   /// Takes over what the other keeps for its next thoughts too: the same rounds thought through in other portions would
@@ -110,8 +128,11 @@ private:
   std::shared_ptr<const Mind> mind_;
   PlayOptions options_;
   std::optional<Thinker> thinker_;
+  std::optional<Planner> planner_;
   MatchSoFar so_far_;
   std::array<double, 4> rewards_{};
+  std::optional<std::uint64_t> rounds_;  // of the match, where it has an end
+  double continuation_ = 1;
   RandomStream random_;
   std::optional<Thought> thought_;
 };

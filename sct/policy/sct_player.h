@@ -16,6 +16,8 @@ struct PlayOptions {
   bool sample = false;                  ///< draw actions from the policy instead of taking the likelier one
   bool extrapolate = false;             ///< play games, criteria and rounds it was not trained on
   std::optional<Move> forced_belief{};  ///< this stands in the belief slot, whatever is believed
+  /// Rounds that it looks ahead: its moves are a best reply to its beliefs (planner.h), whatever its action head says.
+  std::optional<unsigned> plan_depth{};
 };
 
 /// The policy as an entrant. Its players share `mind`, and their thoughts about equal histories.

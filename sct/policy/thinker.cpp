@@ -107,17 +107,29 @@ Matrix<float> Thinker::slot_token(const MatchSoFar& so_far, std::uint8_t slot) {
   return embedded_.row(index(mind_.policy.architecture.opponent_token()));
 }
 
+/// The hidden states that the heads read, of which the observation's is known.
+Matrix<float> Thinker::hidden_at_observation(const MatchSoFar& so_far) {
+  Matrix<float> hidden(index(mind_.heads.read().size()), index(mind_.policy.architecture.hidden));
+  hidden.row(0) = advance(belief_line_, so_far, so_far.opponent);
+  present_tokens_ = belief_line_.stream.tokens();
+  return hidden;
+}
+
+double Thinker::belief_of(const Matrix<float>& hidden) const {
+  Matrix<float> logits;
+  mind_.heads.belief(mind_.policy.parameters.data(), hidden, logits);
+  return first_class(logits);
+}
+
+double Thinker::believe(const MatchSoFar& so_far) { return belief_of(hidden_at_observation(so_far)); }
+
 Thought Thinker::think(const MatchSoFar& so_far, std::optional<std::uint8_t> forced_belief) {
   const auto& architecture = mind_.policy.architecture;
   const float* parameters = mind_.policy.parameters.data();
   Thought thought;
-  Matrix<float> hidden(index(mind_.heads.read().size()), index(architecture.hidden));
+  Matrix<float> hidden = hidden_at_observation(so_far);
   Matrix<float> logits;
-  hidden.row(0) = advance(belief_line_, so_far, so_far.opponent);
-  if (mind_.believes()) {
-    mind_.heads.belief(parameters, hidden, logits);
-    thought.belief = first_class(logits);
-  }
+  if (mind_.believes()) thought.belief = belief_of(hidden);
   const auto slot = forced_belief.value_or(thought.belief >= 0.5 ? 0 : 1);
   auto& acting = action_line_ ? *action_line_ : belief_line_;
   if (action_line_) hidden.row(0) = advance(*action_line_, so_far, so_far.beliefs);

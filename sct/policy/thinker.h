@@ -62,6 +62,17 @@ public:
   /// belief is.
   Thought think(const MatchSoFar& so_far, std::optional<std::uint8_t> forced_belief = std::nullopt);
 
+  /// The belief alone.
+  double believe(const MatchSoFar& so_far);
+
+  /// The tokens that the last belief was read off, up to and with the present observation: the first `tokens` of the
+  /// stream, which the next thought changes.
+  struct Present {
+    const Stream& stream;
+    std::size_t tokens;
+  };
+  Present present() const { return {belief_line_.stream, present_tokens_}; }
+
 private:
   /// A stream with what its belief slots hold, and how many of its tokens are as they must be.
   struct Line {
@@ -71,12 +82,15 @@ private:
   };
 
   Matrix<float> advance(Line& line, const MatchSoFar& so_far, const std::vector<std::uint8_t>& slots);
+  Matrix<float> hidden_at_observation(const MatchSoFar& so_far);
+  double belief_of(const Matrix<float>& hidden) const;
   Matrix<float> slot_token(const MatchSoFar& so_far, std::uint8_t slot);
   void embed_rounds(const MatchSoFar& so_far, const std::vector<std::uint8_t>& slots, std::size_t first);
 
   const Mind& mind_;
   Line belief_line_;
   std::optional<Line> action_line_;  // of selfconf
+  std::size_t present_tokens_ = 0;   // of the belief line
   EmbeddingTape<float> embedding_;
   Matrix<float> embedded_;
 };

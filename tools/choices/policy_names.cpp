@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <folk/games/error.h>
+#include <folk/sct/policy/planner.h>
 #include <folk/sct/policy/policy_file.h>
 #include <folk/strategies/quoted_text.h>
 
@@ -57,10 +58,38 @@ std::optional<fs::path> policy_file(std::string_view name) {
   return std::nullopt;
 }
 
+namespace {
+
+/// "FILE;depth=H", or FILE alone.
+Strategy planning(std::string_view arguments, const sct::PlayOptions& options) {
+  auto [file, last] = split_last_argument(arguments);
+  sct::PlayOptions planned = options;
+  planned.plan_depth = sct::default_plan_depth;
+  if (last) {
+    const auto depth = value_of_option(*last, "depth");
+    if (!depth)
+      throw UsageError(
+          fmt::format("sct-plan({}): expected FILE;depth=H, as in sct-plan(policy.bin;depth=4)", excerpt(arguments)));
+    planned.plan_depth = static_cast<unsigned>(parse_whole_number(*depth, "sct-plan depth", 1, sct::most_plan_depth));
+  }
+  const std::string path = unquoted(trimmed(file));
+  if (path.empty()) throw UsageError("sct-plan needs the name of a policy's file, as in sct-plan(policy.bin;depth=4)");
+  return policy_strategy(fmt::format("sct-plan({};depth={})", path, *planned.plan_depth), path, planned);
+}
+
+}  // namespace
+
 void add_policies(Registry& registry, const sct::PlayOptions& options) {
   add_shipped(registry, "sct",
               "self-confirming transformer, trained on the round robin of sct2025: believes, then acts", options);
   add_shipped(registry, "sct-bayes", "the same network, trained on Bayes-optimal play against sct2025", options);
+  registry.add({"sct-plan(FILE;depth=H)",
+                {},
+                "a policy of sct-train that plays the best reply, H rounds ahead, to what it believes",
+                "Li, Guevara, Xie & Zhu, arXiv 2310.04579, Definition 2; docs/sct.md"},
+               [options](const std::string&, std::string_view arguments, const Payoffs&) {
+                 return planning(arguments, options);
+               });
   registry.add_prefix({"sct:FILE", {}, "a policy that sct-train wrote", "docs/sct-train.md"},
                       "sct:", [options](std::string_view item, const Payoffs&) {
                         const std::string file = unquoted(item);

@@ -687,6 +687,21 @@ class Names(Training):
         self.refused(3, "sct:bad.bin", "all_d", program="ipd-match", says="bad.bin: ")
         self.refused(2, "sct:policy.bin", "-o", "x.svg", program="strategy-graph", says="opaque player")
 
+    def test_planners(self):
+        plans = "sct-plan(policy.bin;depth=2),sct-plan(policy.bin)"
+        done = self.run_program("--include", plans, "--rounds", "10", "--format", "json", program="ipd-tournament")
+        self.assertEqual(done.returncode, 0, done)
+        self.assertEqual(json.loads(done.stdout)["strategies"][-2:], ["sct-plan(policy.bin;depth=2)", "sct-plan(policy.bin;depth=4)"])
+        match = ("--rounds", "10", "--format", "json", "sct-plan(policy.bin;depth=1)", "tit_for_tat")
+        played = json.loads(self.run_program(*match, program="ipd-match").stdout)
+        # One round ahead D is best whatever is believed, and the beliefs are the policy's own.
+        self.assertEqual(played["moves"][0], "D" * 10)
+        self.refused(2, "sct-plan(policy.bin;depth=0)", "all_d", program="ipd-match", says="sct-plan depth '0'")
+        self.refused(2, "sct-plan(policy.bin;width=2)", "all_d", program="ipd-match", says="expected FILE;depth=H")
+        self.refused(2, "sct-plan(;depth=2)", "all_d", program="ipd-match", says="name of a policy's file")
+        self.refused(3, "sct-plan(missing.bin)", "all_d", program="ipd-match", says="missing.bin: no such file")
+        self.refused(2, "sct-plan(policy.bin;depth=2)", "pavlov", "--rounds", "31", program="ipd-match", says="--extrapolate")
+
     def test_beyond_its_training(self):
         longer = ("sct:policy.bin", "pavlov", "--rounds", "31")
         self.refused(2, *longer, program="ipd-match", says="--extrapolate")
