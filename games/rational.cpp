@@ -1,4 +1,5 @@
 #include <folk/games/error.h>
+#include <folk/games/int128.h>
 #include <folk/games/rational.h>
 
 #include <fmt/format.h>
@@ -18,7 +19,6 @@ namespace {
 // Of a number written out, and so of its numerator and denominator too.
 constexpr std::size_t most_digits = 400;
 // Holds every product of two words.
-__extension__ using Wide = __int128;
 // Decimals with more places are shown as fractions.
 constexpr std::size_t most_places = 100;
 
@@ -158,7 +158,7 @@ std::strong_ordering operator<=>(const Rational& a, const Rational& b) {
   if (a.denominator_ == b.denominator_) return a.numerator_ <=> b.numerator_;
   if (a.sign() != b.sign()) return a.sign() <=> b.sign();
   if (a.numerator_.fits_word() && a.denominator_.fits_word() && b.numerator_.fits_word() && b.denominator_.fits_word())
-    return Wide{a.numerator_.word()} * b.denominator_.word() <=> Wide{b.numerator_.word()} * a.denominator_.word();
+    return Int128{a.numerator_.word()} * b.denominator_.word() <=> Int128{b.numerator_.word()} * a.denominator_.word();
   return a.numerator_ * b.denominator_ <=> b.numerator_ * a.denominator_;
 }
 

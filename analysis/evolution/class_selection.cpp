@@ -1,5 +1,6 @@
 #include <folk/analysis/evolution/class_selection.h>
 #include <folk/games/error.h>
+#include <folk/games/int128.h>
 
 #include <fmt/format.h>
 
@@ -9,8 +10,6 @@
 
 namespace folk {
 namespace {
-
-__extension__ using Int128 = __int128;
 
 /// A payoff of 1 for each C of one's own.
 Payoffs one_a_cooperation() {

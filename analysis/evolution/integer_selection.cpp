@@ -1,5 +1,6 @@
 #include <folk/analysis/evolution/integer_selection.h>
 #include <folk/games/error.h>
+#include <folk/games/int128.h>
 
 #include <fmt/format.h>
 
@@ -9,8 +10,6 @@
 
 namespace folk {
 namespace {
-
-__extension__ using Int128 = __int128;
 
 double as_double(Int128 value) { return static_cast<double>(value); }
 double as_double(const Integer& value) { return to_double(value); }
