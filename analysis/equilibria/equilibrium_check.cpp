@@ -71,9 +71,9 @@ void add_subgame_perfect(PairGaps& gaps, const PreparedPair& pair) {
 std::shared_ptr<const Machine> lent(const Machine& machine) { return {std::shared_ptr<const Machine>(), &machine}; }
 
 PairGaps gaps_over_both(const PlayPath& match, PreparedMachine* first, PreparedMachine* second, unsigned horizon,
-                        ClassReplies& beliefs, const Progress& progress) {
+                        ClassReplies& beliefs, ClassReplies& their_beliefs, const Progress& progress) {
   return {gaps_over(match, second, horizon, beliefs, progress.part(0, 0.5)),
-          gaps_over(match.exchanged(), first, horizon, beliefs, progress.part(0.5, 1))};
+          gaps_over(match.exchanged(), first, horizon, their_beliefs, progress.part(0.5, 1))};
 }
 
 }  // namespace
@@ -84,7 +84,13 @@ ClassReplies class_replies(const EquilibriumQuestion& question) {
 
 PairGaps match_gaps(const PlayPath& match, PreparedMachine* first, PreparedMachine* second, ClassReplies& beliefs,
                     const Progress& progress) {
-  return gaps_over_both(match, first, second, 0, beliefs, progress);  // a match has an end: no horizon counts
+  return match_gaps(match, first, second, beliefs, beliefs, progress);
+}
+
+PairGaps match_gaps(const PlayPath& match, PreparedMachine* first, PreparedMachine* second, ClassReplies& beliefs,
+                    ClassReplies& their_beliefs, const Progress& progress) {
+  // A match has an end: no horizon counts.
+  return gaps_over_both(match, first, second, 0, beliefs, their_beliefs, progress);
 }
 
 PairGaps match_gaps(const PlayPath& match, const Machine* first, const Machine* second,
@@ -97,17 +103,22 @@ PairGaps match_gaps(const PlayPath& match, const Machine* first, const Machine* 
                     const EquilibriumQuestion& question, ClassReplies& beliefs, const Progress& progress) {
   PreparedMachines machines(question);
   const auto prepared = [&](const Machine* machine) { return machine ? &machines.of(lent(*machine)) : nullptr; };
-  return gaps_over_both(match, prepared(first), prepared(second), question.horizon, beliefs, progress);
+  return gaps_over_both(match, prepared(first), prepared(second), question.horizon, beliefs, beliefs, progress);
 }
 
 PairGaps pair_gaps(const PreparedPair& pair, ClassReplies& beliefs, const Progress& progress) {
+  return pair_gaps(pair, beliefs, beliefs, progress);
+}
+
+PairGaps pair_gaps(const PreparedPair& pair, ClassReplies& beliefs, ClassReplies& their_beliefs,
+                   const Progress& progress) {
   const Progress paths = progress.part(0, paths_share);
   PairGaps gaps;
   if (pair.path()) {
-    gaps = gaps_over_both(*pair.path(), &pair.first(), &pair.second(), pair.horizon(), beliefs, paths);
+    gaps = gaps_over_both(*pair.path(), &pair.first(), &pair.second(), pair.horizon(), beliefs, their_beliefs, paths);
   } else {
     gaps.first = gaps_by_chance(pair.first(), pair.second(), beliefs, paths.part(0, 0.5));
-    gaps.second = gaps_by_chance(pair.second(), pair.first(), beliefs, paths.part(0.5, 1));
+    gaps.second = gaps_by_chance(pair.second(), pair.first(), their_beliefs, paths.part(0.5, 1));
   }
   add_subgame_perfect(gaps, pair);
   progress(1);

@@ -46,6 +46,10 @@ ClassReplies class_replies(const EquilibriumQuestion& question);
 /// Cancelled.
 PairGaps pair_gaps(const PreparedPair& pair, ClassReplies& beliefs, const Progress& progress = nullptr);
 
+/// The same where the two sides have classes of their own to believe in: the first player's is `beliefs`.
+PairGaps pair_gaps(const PreparedPair& pair, ClassReplies& beliefs, ClassReplies& their_beliefs,
+                   const Progress& progress = nullptr);
+
 /// The same, made ready here. Throws UsageError as PreparedPair does, too.
 PairGaps pair_gaps(const Machine& first, const Machine& second, const EquilibriumQuestion& question,
                    const Progress& progress = nullptr);
@@ -56,6 +60,8 @@ PairGaps pair_gaps(const Machine& first, const Machine& second, const Equilibriu
 /// be gained against such a side is not known, nor is subgame perfection.
 PairGaps match_gaps(const PlayPath& match, PreparedMachine* first, PreparedMachine* second, ClassReplies& beliefs,
                     const Progress& progress = nullptr);
+PairGaps match_gaps(const PlayPath& match, PreparedMachine* first, PreparedMachine* second, ClassReplies& beliefs,
+                    ClassReplies& their_beliefs, const Progress& progress = nullptr);
 PairGaps match_gaps(const PlayPath& match, const Machine* first, const Machine* second,
                     const EquilibriumQuestion& question, const Progress& progress = nullptr);
 PairGaps match_gaps(const PlayPath& match, const Machine* first, const Machine* second,

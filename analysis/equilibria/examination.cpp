@@ -1,3 +1,4 @@
+#include <folk/analysis/equilibria/continuation.h>
 #include <folk/analysis/equilibria/examination.h>
 #include <folk/analysis/equilibria/played_examination.h>
 #include <folk/games/error.h>
@@ -70,6 +71,7 @@ void check_noise(const ExaminationQuestion& question) {
 
 Examination examine(const ExaminationQuestion& question, const Stages& stages) {
   check_noise(question);
+  check_from(question);
   ClassReplies beliefs = class_replies(question);
   Examination examination;
   examination.pairs =

@@ -31,7 +31,7 @@ void check_noise(const ExaminationQuestion& question);
 /// whatever else by its matches (played_examination.h), which for a policy that is no machine include the replies of
 /// others and, where it holds beliefs, a search on these. The answer depends on no number of threads. Throws UsageError
 /// that names the pair for what cannot be examined, and for a pair that is not two machines under a criterion other
-/// than finite:T; and what the players throw.
+/// than finite:T; as check_from does; and what the players throw.
 Examination examine(const ExaminationQuestion& question, const Stages& stages = nullptr);
 
 }  // namespace folk

@@ -30,6 +30,8 @@ struct ExaminationQuestion : EquilibriumQuestion {
   std::uint64_t repetitions = 100;  ///< matches of a pair that can only be sampled
   std::uint64_t seed = 1;
   unsigned threads = 1;  ///< the answers do not depend on it
+  /// The round from which on is asked, after what is really played before it (continuation.h); 1: the whole match.
+  std::uint64_t from = 1;
 
   Sampling sampling() const { return {*this, repetitions, seed, threads}; }
 };

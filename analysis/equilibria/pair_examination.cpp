@@ -1,3 +1,4 @@
+#include <folk/analysis/equilibria/continuation.h>
 #include <folk/analysis/equilibria/pair_examination.h>
 #include <folk/analysis/equilibria/prepared_pair.h>
 #include <folk/analysis/play/joint_play.h>
@@ -33,16 +34,15 @@ Strategy played(Strategy strategy, std::shared_ptr<const Machine> machine) {
   return strategy;
 }
 
-}  // namespace
-
-PairExamination examine_machines(const ExaminationQuestion& question, const Strategy& opponent, ClassReplies& beliefs,
-                                 const Progress& progress) {
+/// From the first round on. The beliefs of the two sides may be one object.
+PairExamination examine_whole(const ExaminationQuestion& question, const Strategy& opponent, ClassReplies& beliefs,
+                              ClassReplies& their_beliefs, const Progress& progress) {
   PreparedMachine& own = beliefs.machines().of(question.policy.machine);
   PreparedMachine& theirs = beliefs.machines().of(opponent.machine);
   const PreparedPair pair(own, theirs, question.horizon);
   PairExamination found;
   found.opponent = opponent.name;
-  found.gaps = pair_gaps(pair, beliefs, progress.part(0, 0.5));
+  found.gaps = pair_gaps(pair, beliefs, their_beliefs, progress.part(0, 0.5));
   const PairResult result = play_pair(played(question.policy, own.player(question.horizon)),
                                       played(opponent, theirs.player(question.horizon)), question.sampling());
   found.own_score = payoff_of(result.weights, question.payoffs, false);
@@ -54,8 +54,49 @@ PairExamination examine_machines(const ExaminationQuestion& question, const Stra
   else if (own.whole() && theirs.whole() && flint_available())
     found.thresholds =
         thresholds(*own.whole(), *theirs.whole(), question.payoffs, question.sides, {}, progress.part(0.5, 1));
+  return found;
+}
+
+PairExamination examine_from(const ExaminationQuestion& question, const Strategy& opponent, const Progress& progress) {
+  const auto before = first_rounds_of(*question.policy.machine, *opponent.machine, question.from - 1);
+  const Continuation later(question, opponent, before);
+  ClassReplies beliefs = class_replies(later.question);
+  ClassReplies their_beliefs = class_replies(later.their_question());
+  PairExamination found = examine_whole(later.question, later.opponent, beliefs, their_beliefs, progress);
+  put_before(before, found);
+  return found;
+}
+
+void put_before_deviations(const std::vector<Outcome>& before, SideGaps& gaps) {
+  for (auto* gap : {&gaps.nash, &gaps.subgame_perfect, &gaps.self_confirming_unrestricted, &gaps.self_confirming_class})
+    if (*gap && (*gap)->witness.deviation) {
+      auto& history = (*gap)->witness.history;
+      history.insert(history.begin(), before.begin(), before.end());
+    }
+}
+
+}  // namespace
+
+PairExamination examine_machines(const ExaminationQuestion& question, const Strategy& opponent, ClassReplies& beliefs,
+                                 const Progress& progress) {
+  PairExamination found = question.from > 1 ? examine_from(question, opponent, progress)
+                                            : examine_whole(question, opponent, beliefs, beliefs, progress);
   found.verdicts = judge_all(found.gaps, question.sides, question.epsilon_payoff);
   return found;
+}
+
+void put_before(const std::vector<Outcome>& before, PairExamination& found) {
+  put_before_deviations(before, found.gaps.first);
+  std::vector<Outcome> seen_by_them;
+  for (const Outcome& round : before) seen_by_them.push_back(round.exchanged());
+  put_before_deviations(seen_by_them, found.gaps.second);
+  if (found.thresholds)
+    for (auto* threshold :
+         {&found.thresholds->nash, &found.thresholds->subgame_perfect, &found.thresholds->self_confirming_unrestricted})
+      if (*threshold)
+        for (Binding& binding : (*threshold)->bindings)
+          binding.history.insert(binding.history.begin(), before.begin(), before.end());
+  found.before = before;
 }
 
 }  // namespace folk

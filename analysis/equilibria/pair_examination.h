@@ -32,7 +32,8 @@ inline constexpr std::size_t most_listed_states = 1000;
 /// The policy against one opponent. What does not apply, or is not known, is empty.
 struct PairExamination {
   std::string opponent;
-  std::optional<PlayPath> path{};          ///< of a pair without chance
+  std::vector<Outcome> before{};           ///< what is played before the round from which on is asked
+  std::optional<PlayPath> path{};          ///< of a pair without chance, from that round on
   std::size_t all_states = 0;              ///< how many such situations there are; the first of them:
   std::vector<InformationState> states{};  ///< of machines that mix or slip
   double own_score = 0;                    ///< in the criterion's unit
@@ -46,8 +47,13 @@ struct PairExamination {
   Certificates verdicts{};
 };
 
-/// The question of two machines, judged. `beliefs` is class_replies(question), kept over the question's pairs: the
-/// machines are prepared there.
+/// Puts the rounds that were really played before every history that was found: the deviations, and those that bind at
+/// the ends of thresholds. They become what `found` says was played before.
+void put_before(const std::vector<Outcome>& before, PairExamination& found);
+
+/// The question of two machines, judged; scores, gains and thresholds are seen from question.from on. `beliefs` is
+/// class_replies(question), kept over the question's pairs: the machines are prepared there. From a later round on each
+/// pair has a class of its own, and they count for nothing.
 /// Throws UsageError as PreparedPair and pair_gaps do, and as thresholds and play_pair do.
 PairExamination examine_machines(const ExaminationQuestion& question, const Strategy& opponent, ClassReplies& beliefs,
                                  const Progress& progress = nullptr);

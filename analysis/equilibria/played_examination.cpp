@@ -1,4 +1,5 @@
 #include <folk/analysis/equilibria/confidence_bound.h>
+#include <folk/analysis/equilibria/continuation.h>
 #include <folk/analysis/equilibria/played_examination.h>
 
 #include <fmt/format.h>
@@ -14,33 +15,50 @@ namespace {
 /// How often a sampled claim may be wrong.
 constexpr double failure = 1e-6;
 
+/// What somebody earns against the policy from the round on that is asked about, after what was played before it.
 struct KnownReply {
   std::string name;
+  std::vector<Outcome> before;
   double score;
 };
 
-/// What everybody earns against the policy who has one path with it.
-std::vector<KnownReply> known_replies(const ExaminationQuestion& question, const std::vector<PairExamination>& pairs) {
+std::vector<Outcome> first_rounds_of(const BeliefRecord& record, std::uint64_t rounds) {
+  const BeliefMatch& match = record.matches.front();
+  return {match.begin(), match.begin() + static_cast<std::ptrdiff_t>(rounds)};
+}
+
+/// The matches from a round on.
+BeliefRecord record_from(BeliefRecord record, std::uint64_t from) {
+  for (BeliefMatch& match : record.matches)
+    match.erase(match.begin(), match.begin() + static_cast<std::ptrdiff_t>(from - 1));
+  return record;
+}
+
+/// The whole matches, but without what was believed before a round.
+BeliefRecord believed_from(BeliefRecord record, std::uint64_t from) {
+  for (BeliefMatch& match : record.matches)
+    for (std::size_t t = 0; t + 1 < from; ++t) match[t].belief.reset();
+  return record;
+}
+
+/// What everybody earns who has one path with the policy.
+std::vector<KnownReply> known_replies(const ExaminationQuestion& question, const std::vector<BeliefRecord>& records) {
   std::vector<KnownReply> known;
-  for (const auto& pair : pairs)
-    if (pair.record->once) known.push_back({pair.opponent, pair.their_score});
-  if (known.empty()) return known;
-  std::vector<Strategy> others = question.imitated;
-  std::erase_if(others, [&](const Strategy& strategy) {
-    return std::any_of(known.begin(), known.end(), [&](const KnownReply& one) { return one.name == strategy.name; });
-  });
-  for (const auto& record : record_beliefs(question.policy, others, question.sampling()))
-    if (record.once) known.push_back({record.opponent, match_scores(record, question.payoffs).theirs});
+  for (const auto& record : records)
+    if (record.once)
+      known.push_back({record.opponent, first_rounds_of(record, question.from - 1),
+                       match_scores(record_from(record, question.from), question.payoffs).theirs});
   return known;
 }
 
-Gap gap_of_search(const OwnBeliefGap& found, const PlayPath& path, std::size_t depth) {
+Gap gap_of_search(const OwnBeliefGap& found, const PairExamination& pair, std::size_t depth) {
+  const std::size_t asked = pair.path->rounds.size();
   Gap gap = rounded_gap(found.gain, 0, {});
   gap.depth = depth;
-  if (found.searched_rounds < path.rounds.size())
-    gap.tried = fmt::format("depth {}, {} of {} rounds", depth, found.searched_rounds, path.rounds.size());
+  if (found.searched_rounds < asked)
+    gap.tried = fmt::format("depth {}, {} of {} rounds", depth, found.searched_rounds, asked);
   if (found.gain <= 0) return gap;
-  gap.witness.history.assign(path.rounds.begin(), path.rounds.begin() + static_cast<std::ptrdiff_t>(found.round - 1));
+  gap.witness.history = first_rounds_of(*pair.record, found.round - 1);
   gap.witness.deviation = found.own_moves.front();
   std::string moves;
   std::string believed;
@@ -78,8 +96,11 @@ MatchScores match_scores(const BeliefRecord& record, const Payoffs& payoffs) {
   return scores;
 }
 
-PairExamination examine_record(const ExaminationQuestion& question, const Strategy& opponent, BeliefRecord record,
-                               ClassReplies& beliefs) {
+namespace {
+
+/// From the first round on; not the beliefs.
+PairExamination examine_whole_record(const ExaminationQuestion& question, const Strategy& opponent,
+                                     const BeliefRecord& record, ClassReplies& beliefs, ClassReplies& their_beliefs) {
   const auto prepared = [&](const Strategy& strategy) {
     return strategy.machine ? &beliefs.machines().of(strategy.machine) : nullptr;
   };
@@ -92,7 +113,7 @@ PairExamination examine_record(const ExaminationQuestion& question, const Strate
   if (record.once) {
     PlayPath path;
     for (const auto& round : record.matches.front()) path.rounds.push_back({round.own, round.theirs});
-    found.gaps = match_gaps(path, prepared(question.policy), prepared(opponent), beliefs);
+    found.gaps = match_gaps(path, prepared(question.policy), prepared(opponent), beliefs, their_beliefs);
     found.path = std::move(path);
   } else if (opponent.machine) {
     const BestReply& reply = prepared(opponent)->reply();
@@ -101,24 +122,71 @@ PairExamination examine_record(const ExaminationQuestion& question, const Strate
     gap.tried = fmt::format("{} sampled matches", record.matches.size());
     found.gaps.first.nash = std::move(gap);
   }
+  return found;
+}
+
+PairExamination examine_record_from(const ExaminationQuestion& question, const Strategy& opponent,
+                                    const BeliefRecord& record) {
+  const auto before = first_rounds_of(record, question.from - 1);
+  const Continuation later(question, opponent, before);
+  ClassReplies beliefs = class_replies(later.question);
+  ClassReplies their_beliefs = class_replies(later.their_question());
+  PairExamination found =
+      examine_whole_record(later.question, later.opponent, record_from(record, question.from), beliefs, their_beliefs);
+  put_before(before, found);
+  return found;
+}
+
+}  // namespace
+
+PairExamination examine_record(const ExaminationQuestion& question, const Strategy& opponent, BeliefRecord record,
+                               ClassReplies& beliefs) {
+  PairExamination found = question.from > 1 ? examine_record_from(question, opponent, record)
+                                            : examine_whole_record(question, opponent, record, beliefs, beliefs);
+  record = believed_from(std::move(record), question.from);
   auto belief = belief_consistency(record);
   if (belief.rounds > 0) found.belief = std::move(belief);
   found.record = std::move(record);
   return found;
 }
 
-void add_known_replies(const ExaminationQuestion& question, std::vector<PairExamination>& pairs) {
-  const auto known = known_replies(question, pairs);
-  if (known.empty()) return;
-  const KnownReply& best = *std::max_element(
-      known.begin(), known.end(), [](const KnownReply& a, const KnownReply& b) { return a.score < b.score; });
+std::vector<BeliefRecord> imitated_records(const ExaminationQuestion& question,
+                                           const std::vector<BeliefRecord>& records) {
+  const auto has_one_path = [](const BeliefRecord& record) { return record.once; };
+  if (std::none_of(records.begin(), records.end(), has_one_path)) return {};
+  std::vector<Strategy> others = question.imitated;
+  std::erase_if(others, [&](const Strategy& strategy) {
+    return std::any_of(records.begin(), records.end(),
+                       [&](const BeliefRecord& record) { return record.once && record.opponent == strategy.name; });
+  });
+  return record_beliefs(question.policy, others, question.sampling());
+}
+
+void add_known_replies(const ExaminationQuestion& question, const std::vector<BeliefRecord>& records,
+                       std::vector<PairExamination>& pairs) {
+  const auto known = known_replies(question, records);
   for (auto& pair : pairs) {
     if (!pair.record->once || pair.gaps.second.nash) continue;
-    Gap gap = rounded_gap(best.score - pair.their_score, 0,
-                          {{}, std::nullopt, "plays like " + best.name + ", who earns more against it", {}});
-    gap.tried = fmt::format("the replies of {} strategies", known.size());
+    const KnownReply* best = nullptr;
+    std::size_t comparable = 0;  // what others earn after another beginning is no reply here
+    for (const KnownReply& one : known) {
+      if (one.before != pair.before) continue;
+      ++comparable;
+      if (best == nullptr || one.score > best->score) best = &one;
+    }
+    if (best == nullptr) continue;
+    Gap gap = rounded_gap(best->score - pair.their_score, 0,
+                          {{}, std::nullopt, "plays like " + best->name + ", who earns more against it", {}});
+    gap.tried = fmt::format("the replies of {} strategies", comparable);
     pair.gaps.second.nash = std::move(gap);
   }
+}
+
+void add_known_replies(const ExaminationQuestion& question, std::vector<PairExamination>& pairs) {
+  std::vector<BeliefRecord> records;
+  for (const auto& pair : pairs) records.push_back(*pair.record);
+  for (auto& record : imitated_records(question, records)) records.push_back(std::move(record));
+  add_known_replies(question, records, pairs);
 }
 
 void add_own_beliefs(const ExaminationQuestion& question, std::vector<PairExamination>& pairs,
@@ -134,11 +202,13 @@ void add_own_beliefs(const ExaminationQuestion& question, std::vector<PairExamin
   OwnBeliefSearch search;
   search.payoffs = question.payoffs;
   search.threads = question.threads;
-  search.depth = std::min<std::size_t>(question.depth, paths.front().size());
+  const std::size_t rounds = paths.front().size();
+  search.depth = std::min<std::size_t>(question.depth, rounds);
+  for (std::uint64_t t = question.from; question.from > 1 && t <= rounds; ++t) search.rounds.push_back(t);
   const auto found = own_belief_gaps(question.policy, paths, search, progress);
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (!found[i]) continue;
-    searched[i]->gaps.first.self_confirming_own = gap_of_search(*found[i], *searched[i]->path, search.depth);
+    searched[i]->gaps.first.self_confirming_own = gap_of_search(*found[i], *searched[i], search.depth);
     searched[i]->own_search = found[i];
   }
 }

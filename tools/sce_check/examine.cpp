@@ -15,7 +15,7 @@ namespace {
 constexpr const char* unseen = "memory(1,1)";
 
 void add_belief_effects(const SceQuestion& question, SceReport& report) {
-  if (!question.mind || !question.mind->believes()) return;
+  if (!question.mind || !question.mind->believes() || question.from > 1) return;  // it is of whole matches
   const auto& training = question.mind->policy.training;
   // The intervention is made in the matches that the policy was trained for.
   if (!(question.criterion == Criterion::finite(training.rounds)) || !(question.payoffs == training.payoffs)) return;
@@ -39,6 +39,7 @@ SceReport examine(const SceQuestion& question, const Stages& stages) {
   report.verdicts = std::move(found.verdicts);
   report.worst = std::move(found.worst);
   add_belief_effects(question, report);
+  if (question.settled) report.settlement = settlement(question, stages);
   return report;
 }
 
@@ -49,6 +50,10 @@ bool holds(const SceReport& report, const std::string& required) {
                                                         : Notion::self_confirming_unrestricted;
   const auto& verdict = report.verdicts[place_of(notion)];
   if (!verdict) throw UsageError(fmt::format("--require {}: it does not apply here, nothing is known of it", required));
+  if (report.settlement) {
+    const auto& settled = report.settlement->all[place_of(notion)];
+    return settled && settled->from;
+  }
   return verdict->verdict != Verdict::refuted;
 }
 

@@ -21,17 +21,23 @@ Json optional(const std::optional<Value>& value) {
 /// JSON has no infinity.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json("infinity"); }
 
-Json path_of(const OpponentReport& report) {
-  if (!report.path) return nullptr;
+/// The moves of both as two strings.
+Json moves_of(const std::vector<Outcome>& rounds) {
   std::string own;
   std::string theirs;
-  for (const Outcome& round : report.path->rounds) {
+  for (const Outcome& round : rounds) {
     own += to_char(round.own);
     theirs += to_char(round.theirs);
   }
-  return {{"own", own},
-          {"theirs", theirs},
-          {"cycle_from", report.path->cycle ? Json(*report.path->cycle + 1) : Json(nullptr)},
+  return {{"own", own}, {"theirs", theirs}};
+}
+
+Json path_of(const OpponentReport& report) {
+  if (!report.path) return nullptr;
+  const Json moves = moves_of(report.path->rounds);
+  return {{"own", moves["own"]},
+          {"theirs", moves["theirs"]},
+          {"cycle_from", report.path->cycle ? Json(report.before.size() + *report.path->cycle + 1) : Json(nullptr)},
           {"cut", report.path->cut}};
 }
 
@@ -151,6 +157,21 @@ Json verdicts_of(const Certificates& verdicts, const std::array<std::string, all
   return object;
 }
 
+/// Of each notion the least round from which on it holds, null where there is none, and the verdict on those rounds.
+Json settled_of(const SettledNotions& notions) {
+  Json object = Json::object();
+  for (std::size_t n = 0; n < all_notions.size(); ++n) {
+    const auto& settled = notions[n];
+    object[std::string(to_string(all_notions[n]))] =
+        settled ? Json{{"from", optional(settled->from)},
+                       {"word", settled->verdict == Verdict::certified     ? "certified"
+                                : settled->verdict == Verdict::not_refuted ? "not refuted"
+                                                                           : "refuted"}}
+                : Json(nullptr);
+  }
+  return object;
+}
+
 Json opponent_of(const OpponentReport& report, const SceQuestion& question) {
   const auto& thresholds = report.thresholds;
   Json object = {{"opponent", report.opponent},
@@ -225,6 +246,17 @@ void write_json(std::ostream& out, const SceQuestion& question, const SceReport&
                    {"verdicts", verdicts_of(report.verdicts, &report.worst)}}},
                  {"extracted", extracted_of(question, report.extracted)}};
   if (question.noise > 0) object["noise"] = question.noise.probability();
+  if (question.from > 1) {
+    object["from"] = question.from;
+    for (std::size_t i = 0; i < report.opponents.size(); ++i)
+      object["opponents"][i]["before"] = moves_of(report.opponents[i].before);
+  }
+  if (report.settlement) {
+    object["from"] = "settled";
+    for (std::size_t i = 0; i < report.opponents.size(); ++i)
+      object["opponents"][i]["settled"] = settled_of(report.settlement->pairs[i]);
+    object["overall"]["settled"] = settled_of(report.settlement->all);
+  }
   if (with_command) {
     object["folk_version"] = FOLK_VERSION;
     object["command"] = question.command;

@@ -22,6 +22,7 @@ Program sce_check() {
   program.examples = {"sce-check pavlov pavlov --criterion discounted:0.6 --class classics",
                       "sce-check spiteful --opponents spiteful,tit_for_tat --criterion discounted:2/3 --side own",
                       "sce-check pavlov pavlov --payoffs T=4,R=3,P=1,S=0 --criterion discounted:0.9 --noise 0.01",
+                      "sce-check tit_for_tat mistrust --criterion discounted:0.9 --from settled",
                       "sce-check sct",
                       "sce-check policy.bin all_d --extract --output report",
                       "sce-check tit_for_tat tit_for_tat --criterion discounted:0.7 --require nash"};

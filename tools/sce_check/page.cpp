@@ -91,6 +91,7 @@ Html question_list(const SceQuestion& question) {
   add("opponents", question.opponents_spec);
   add("game", question.game.title + ", " + to_text(question.payoffs));
   add("criterion", question.criterion.to_string());
+  if (question.from > 1) add("asked from", fmt::format("round {} on, after what was played before it", question.from));
   if (question.noise > 0)
     add("noise", fmt::format("each move flips with probability {}", to_short_text(question.noise)));
   add("class of beliefs", fmt::format("{} ({} machine{})", question.class_spec, question.beliefs.size(),
@@ -120,6 +121,7 @@ Html body_of(const SceQuestion& question, const SceReport& report, const Picture
   html += heading(2, several ? "Verdicts: the worst of all opponents" : "Verdicts");
   html += verdict_table(report.verdicts, several ? &report.worst : nullptr, report.belief.has_value());
   html += question_list(question);
+  if (report.settlement) html += settlement_section(report);
   html += overall_beliefs(report, pictures);
   if (several) {
     html += element("h2", "Opponents", {{"id", "opponents"}}) + "\n";

@@ -8,7 +8,9 @@
 #include <folk/tools/program/threads_option.h>
 
 #include <fmt/format.h>
+#include <folk/analysis/equilibria/continuation.h>
 #include <folk/analysis/equilibria/examination.h>
+#include <folk/analysis/equilibria/settlement.h>
 #include <folk/games/error.h>
 #include <folk/strategies/programs/program_rules.h>
 
@@ -70,6 +72,19 @@ std::optional<std::string> required(const po::variables_map& values) {
       fmt::format("--require '{}': expected nash, subgame-perfect, self-confirming or beliefs", excerpt(text)));
 }
 
+/// --from: a round, or from which one on everything holds.
+void choose_from(const po::variables_map& values, SceQuestion& question) {
+  if (values.count("from") == 0) return;
+  if (question.extract) throw UsageError("--from and --extract contradict: an automaton is made of whole matches");
+  question.settled = text_option(values, "from") == "settled";
+  if (question.settled) {
+    check_settlement(question);
+  } else {
+    question.from = parse_whole_number(text_option(values, "from"), "--from (or --from settled)", 1, most_path_rounds);
+    check_from(question);
+  }
+}
+
 /// Nobody asked for them: machines without end, which a criterion without end cannot judge.
 void leave_out_endless(SceQuestion& question) {
   std::erase_if(question.opponents, [&](const Strategy& opponent) {
@@ -95,6 +110,7 @@ void add_sce_options(Program& program) {
   add_criterion_options(program.options);
   add("noise", text(), "each move of both, of a deviation too, flips with this probability (default 0)");
   add("class", text(), "SPEC of the machines that the other side may be believed to be (default: the opponents)");
+  add("from", text(), "ask from this round on, after what is really played before; or settled: from which one on");
   add("side", text()->default_value("both"), "whose gains a verdict is about: both, own (POLICY's) or theirs");
   add("epsilon-belief", text(), "beliefs may be as far as this from the truth (default 0.05)");
   add("epsilon-payoff", text(), "a deviation may gain as much as this (default 0)");
@@ -176,6 +192,7 @@ SceQuestion sce_question(const po::variables_map& values, const Common& common) 
     throw UsageError(fmt::format("--require beliefs: {} is a machine and holds none", question.policy.name));
   question.noise = parse_number(text_option(values, "noise", "0"), "--noise", 0, 1);
   check_noise(question);
+  choose_from(values, question);
   question.repetitions = whole_option(values, "repetitions", 100, 1, 1'000'000);
   question.seed = whole_option(values, "seed", 1, 0, ~std::uint64_t{0});
   question.threads = threads_option(values, common);

@@ -20,6 +20,7 @@ struct SceQuestion : ExaminationQuestion {
   ChosenGame game;                        ///< as it was named; its payoffs are those of the question
   std::string opponents_spec;
   std::string class_spec;
+  bool settled = false;  ///< also ask from which round on each notion holds
   bool extract = false;
   std::optional<std::string> require;
   std::vector<std::string> left_out;  ///< of the default opponents: those that the criterion cannot judge

@@ -6,6 +6,7 @@
 #include <folk/analysis/beliefs/belief_consistency.h>
 #include <folk/analysis/equilibria/examination.h>
 #include <folk/analysis/equilibria/extracted_machine.h>
+#include <folk/analysis/equilibria/settlement.h>
 #include <folk/sct/policy/belief_effect.h>
 
 #include <array>
@@ -27,13 +28,14 @@ struct SceReport {
   std::optional<sct::BeliefEffect> effect;
   Certificates verdicts{};
   std::array<std::string, all_notions.size()> worst{};
+  std::optional<Settlement> settlement;  ///< where it was asked for
   std::optional<ExtractedMachine> extracted;
 };
 
 /// Answers the question: the library's examination, and what only a transformer can tell of itself.
 SceReport examine(const SceQuestion& question, const Stages& stages);
 
-/// False when what was required is refuted.
+/// False when what was required is refuted; where it was asked from which round on all holds, when there is none.
 bool holds(const SceReport& report, const std::string& required);
 
 }  // namespace folk::tools

@@ -17,9 +17,12 @@ constexpr std::size_t most_listed_situations = 100;
 
 Html path_section(const OpponentReport& report) {
   Html html;
+  if (!report.before.empty())
+    html += paragraph(Html("Before, own move first: ") +
+                      element_of("span", "moves", path_words({report.before, {}, false}, most_written_rounds)));
   if (report.path)
     html += paragraph(Html("Path, own move first: ") +
-                      element_of("span", "moves", path_words(*report.path, most_written_rounds)));
+                      element_of("span", "moves", path_words(*report.path, most_written_rounds, report.before.size())));
   if (report.states.empty()) return html;
   html += paragraph(fmt::format("{}{} situations have positive probability.",
                                 report.states.size() > most_listed_situations ? "The first 100 of " : "",

@@ -17,6 +17,9 @@ Html verdict_table(const Certificates& verdicts, const std::array<std::string, a
 /// A row an opponent, with the columns that something is known for; names lead to their sections.
 Html opponent_table(const SceReport& report);
 
+/// A row an opponent, a column a notion: from which round on each holds for good. The report must have asked for it.
+Html settlement_section(const SceReport& report);
+
 /// Where the section of an opponent begins.
 std::string opponent_id(std::size_t opponent);
 

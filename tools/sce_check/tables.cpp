@@ -127,6 +127,29 @@ Html verdict_table(const Certificates& verdicts, const std::array<std::string, a
   return table.html();
 }
 
+Html settlement_section(const SceReport& report) {
+  std::vector<std::string> headings{"opponent"};
+  std::vector<std::string> classes{"name"};
+  for (const Notion notion : all_notions) {
+    headings.push_back(short_title(notion));
+    classes.emplace_back("number");
+  }
+  HtmlTable table(headings, classes);
+  const auto add = [&](const std::string& name, const SettledNotions& notions) {
+    std::vector<Html> row{Html(name)};
+    for (const auto& notion : notions) row.emplace_back(settled_text(notion));
+    table.add(row);
+  };
+  for (std::size_t i = 0; i < report.opponents.size(); ++i)
+    add(report.opponents[i].opponent, report.settlement->pairs[i]);
+  if (report.opponents.size() > 1) add("all of them", report.settlement->all);
+  return heading(2, "From which round on it holds for good") +
+         paragraph(
+             "The least round from which on, and from every later one, a claim is not refuted, seen from there "
+             "after what was really played; ?: it is not certified either.") +
+         table.html();
+}
+
 Html opponent_table(const SceReport& report) {
   const auto columns = columns_of(report);
   std::vector<std::string> headings{"opponent"};

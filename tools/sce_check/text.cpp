@@ -30,10 +30,11 @@ void write_header(std::ostream& out, const SceQuestion& question, const SceRepor
                                       ? report.opponents.front().opponent
                                       : fmt::format("the {} of {}", report.opponents.size(), question.opponents_spec)));
   const std::string noise = question.noise > 0 ? fmt::format(", noise {}", to_short_text(question.noise)) : "";
-  out << fmt::format("game {} ({}), {}{}, class {}, epsilon-belief {}, epsilon-payoff {}, depth {}, seed {}\n",
-                     shown_title(question.game.title), to_text(question.payoffs), question.criterion.to_string(), noise,
-                     visible_text(question.class_spec), to_short_text(question.epsilon_belief),
-                     to_text(question.epsilon_payoff), question.depth, question.seed);
+  out << fmt::format("game {} ({}), {}{}{}, class {}, epsilon-belief {}, epsilon-payoff {}, depth {}, seed {}\n",
+                     shown_title(question.game.title), to_text(question.payoffs), question.criterion.to_string(),
+                     from_words(question), noise, visible_text(question.class_spec),
+                     to_short_text(question.epsilon_belief), to_text(question.epsilon_payoff), question.depth,
+                     question.seed);
   if (!question.left_out.empty())
     out << visible_line(
         fmt::format("left out of the default opponents, machines without end: {}", fmt::join(question.left_out, ", ")));
@@ -63,7 +64,10 @@ void write_belief(std::ostream& out, const BeliefConsistency& belief) {
 void write_one(std::ostream& out, const OpponentReport& report) {
   out << fmt::format("\nscore     {} to {} ({})\n", payoff_text(report.own_score), payoff_text(report.their_score),
                      to_string(report.method));
-  if (report.path) out << "path      " << path_words(*report.path, most_shown) << " (own move first)\n";
+  if (!report.before.empty())
+    out << fmt::format("before    {} (own move first)\n", path_words({report.before, {}, false}, most_shown));
+  if (report.path)
+    out << fmt::format("path      {} (own move first)\n", path_words(*report.path, most_shown, report.before.size()));
   if (!report.states.empty()) {
     out << fmt::format("states    {} situations of positive probability; after ...: P(C) own, theirs\n",
                        report.all_states);
@@ -168,6 +172,26 @@ void write_extracted(std::ostream& out, const ExtractedMachine& extracted) {
                                       *match.first_difference));
 }
 
+/// A notion a line for one opponent, else a row an opponent.
+void write_settlement(std::ostream& out, const SceReport& report) {
+  const Settlement& settlement = *report.settlement;
+  out << "\nfrom which round on it holds for good (?: is not refuted)\n";
+  if (report.opponents.size() == 1) {
+    for (std::size_t n = 0; n < all_notions.size(); ++n)
+      out << fmt::format("  {:<34} {}\n", title_of(all_notions[n]), settled_text(settlement.all[n]));
+    return;
+  }
+  Table table({"opponent", "Nash", "perfect", "SCE free", "SCE class", "SCE own", "beliefs"});
+  const auto add = [&](const std::string& name, const SettledNotions& notions) {
+    std::vector<std::string> row{name};
+    for (const auto& notion : notions) row.push_back(settled_text(notion));
+    table.add(std::move(row));
+  };
+  for (std::size_t i = 0; i < report.opponents.size(); ++i) add(report.opponents[i].opponent, settlement.pairs[i]);
+  add("all of them", settlement.all);
+  out << table.text();
+}
+
 }  // namespace
 
 void write_text(std::ostream& out, const SceQuestion& question, const SceReport& report) {
@@ -193,17 +217,22 @@ void write_text(std::ostream& out, const SceQuestion& question, const SceReport&
     if (report.opponents.size() > 1) line.insert(line.size() - 1, fmt::format(" [{}]", visible_text(report.worst[n])));
     out << line;
   }
+  if (report.settlement) write_settlement(out, report);
 }
 
-void write_csv(std::ostream& out, const SceQuestion&, const SceReport& report) {
+void write_csv(std::ostream& out, const SceQuestion& question, const SceReport& report) {
   out << "opponent,own_score,their_score,accuracy,sup_tv,mean_tv,log_loss,brier,settled_from";
   for (const char* side : {"own", "theirs"})
     for (const Notion notion : all_notions)
       if (notion != Notion::beliefs) out << "," << side << "_" << to_string(notion);
   for (const Notion notion : all_notions) out << ",verdict_" << to_string(notion);
+  if (question.from > 1) out << ",from";
+  if (report.settlement)
+    for (const Notion notion : all_notions) out << ",settled_" << to_string(notion);
   out << "\n";
   const auto optional = [](const auto& value) { return value ? fmt::format("{}", *value) : std::string(); };
-  for (const auto& one : report.opponents) {
+  for (std::size_t i = 0; i < report.opponents.size(); ++i) {
+    const auto& one = report.opponents[i];
     out << csv_field(one.opponent) << fmt::format(",{},{}", one.own_score, one.their_score);
     if (one.belief)
       out << fmt::format(",{},{},{},{},{},{}", optional(one.belief->accuracy()), one.belief->largest_distance,
@@ -218,6 +247,9 @@ void write_csv(std::ostream& out, const SceQuestion&, const SceReport& report) {
           out << "," << (gap ? fmt::format("{}", gap->gain) : std::string());
         }
     for (const auto& verdict : one.verdicts) out << "," << (verdict ? csv_field(verdict->text()) : std::string());
+    if (question.from > 1) out << "," << question.from;
+    if (report.settlement)
+      for (const auto& notion : report.settlement->pairs[i]) out << "," << (notion ? settled_text(notion) : "");
     out << "\n";
   }
 }

@@ -127,12 +127,22 @@ std::string margin_text(Notion notion, const Certificate& verdict) {
   return verdict.margin > 0 ? fmt::format("{} ({})", margin, verdict.side == Seat::first ? "own" : "theirs") : margin;
 }
 
-std::string path_words(const PlayPath& path, std::size_t most) {
+std::string settled_text(const std::optional<Settled>& settled) {
+  if (!settled) return "-";
+  if (!settled->from) return "never";
+  return std::to_string(*settled->from) + (settled->verdict == Verdict::certified ? "" : "?");
+}
+
+std::string from_words(const SceQuestion& question) {
+  return question.from > 1 ? fmt::format(", from round {} on", question.from) : "";
+}
+
+std::string path_words(const PlayPath& path, std::size_t most, std::size_t before) {
   const auto shown = static_cast<std::ptrdiff_t>(std::min(path.rounds.size(), most));
   std::string text = history_text({path.rounds.begin(), path.rounds.begin() + shown});
   if (path.rounds.size() > most)
     return text + fmt::format(" ... (the first {} of {} rounds)", shown, path.rounds.size());
-  if (path.cycle) text += fmt::format(", again and again from round {}", *path.cycle + 1);
+  if (path.cycle) text += fmt::format(", again and again from round {}", before + *path.cycle + 1);
   return path.cut ? text + " ..." : text;
 }
 

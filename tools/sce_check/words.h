@@ -60,8 +60,15 @@ Html sign_of(const std::optional<Certificate>& verdict, std::string_view absent)
 /// "2 (own)": how much is gained, or how far beliefs are from the truth.
 std::string margin_text(Notion notion, const Certificate& verdict);
 
-/// What is played: "(CC)x99 CD", and where it goes on. No more than the first `most` rounds.
-std::string path_words(const PlayPath& path, std::size_t most);
+/// What is played: "(CC)x99 CD", and where it goes on. No more than the first `most` rounds. `before`: rounds that were
+/// played before the path.
+std::string path_words(const PlayPath& path, std::size_t most, std::size_t before = 0);
+
+/// From which round on a notion holds: "3", "3?" where it is only not refuted, "never", and "-" where it is unknown.
+std::string settled_text(const std::optional<Settled>& settled);
+
+/// "from round 3 on", where that is asked, after a comma; else nothing.
+std::string from_words(const SceQuestion& question);
 
 /// "3, 7-9, 100" of ascending rounds; "none".
 std::string rounds_words(const std::vector<std::uint64_t>& rounds);

@@ -189,6 +189,55 @@ class Noise(unittest.TestCase):
                     self.assertFalse(output.exists())
 
 
+class FromARoundOn(unittest.TestCase):
+    SPITE = ("spiteful", "all_d", "--criterion", "discounted:0.9", "--class", "tit_for_tat,spiteful")
+
+    def test_from_a_round(self):
+        report = check(*self.SPITE, "--from", "2")
+        self.assertEqual(report["from"], 2)
+        one = report["opponents"][0]
+        self.assertEqual(one["before"], {"own": "C", "theirs": "D"})
+        self.assertEqual(one["path"], {"own": "D", "theirs": "D", "cycle_from": 2, "cut": False})
+        self.assertEqual(one["verdicts"]["nash"]["word"], "certified")
+        self.assertEqual(run(*self.SPITE, "--require", "nash").returncode, 1)
+        text = run(*self.SPITE, "--require", "nash", "--from", "2")
+        self.assertEqual(text.returncode, 0)
+        self.assertIn("discounted:0.9, from round 2 on, class", text.stdout)
+        self.assertIn("path      DD, again and again from round 2", text.stdout)
+        late = check("tit_for_tat", "tit_for_tat", "--rounds", "9", "--from", "8")["opponents"][0]
+        self.assertIn("in round 9, after (CC)x8, plays D", late["verdicts"]["nash"]["witness"])
+
+    def test_settled(self):
+        with tempfile.TemporaryDirectory() as folder:
+            report = check(*self.SPITE, "--from", "settled", "--output", folder)
+            page = pathlib.Path(folder, "report.html").read_text(encoding="utf-8")
+        self.assertEqual(report["from"], "settled")
+        settled = report["opponents"][0]["settled"]
+        self.assertEqual(settled["nash"], {"from": 2, "word": "certified"})
+        self.assertIsNone(settled["beliefs"])
+        self.assertEqual(report["overall"]["settled"], settled)
+        self.assertIn("From which round on it holds for good", page)
+        self.assertEqual(report["opponents"][0]["verdicts"]["nash"]["word"], "refuted")  # of the whole match
+        self.assertEqual(run(*self.SPITE, "--from", "settled", "--require", "nash").returncode, 0)
+        never = run("pavlov", "--opponents", "pavlov,all_d", "--rounds", "9", "--from", "settled", "--require", "nash")
+        self.assertEqual(never.returncode, 1)
+        self.assertRegex(never.stdout, r"\nall of them +never")
+        rows = run(*self.SPITE, "--from", "settled", "--format", "csv").stdout.splitlines()
+        self.assertTrue(rows[0].endswith("settled_self_confirming_own,settled_beliefs"))
+        self.assertTrue(rows[1].endswith(",2,2,2,2,,"), rows[1])
+
+    def test_refusals(self):
+        for words, part in (((*self.SPITE, "--from", "0"), "--from"), ((*self.SPITE, "--from", "late"), "'late'"),
+                            (("pavlov", "pavlov", "--from", "101"), "expected round 1 to 100"),
+                            ((*self.SPITE, "--from", "2", "--noise", "0.1"), "random under noise"),
+                            (("pavlov", "random(0.5)", "--from", "settled"), "random(0.5) may draw"),
+                            (("bayes(classics)", "pavlov", "--from", "2", "--extract"), "contradict"),
+                            (("pavlov", "pavlov", "--from", "settled", "--rounds", "5000"), "more rounds than")):
+            done = run(*words)
+            self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), words)
+            self.assertIn(part, done.stderr)
+
+
 @unittest.skipIf("FOLK_SANITIZED" in os.environ, "ten thousand thoughts of a transformer; sce_page_test has fewer")
 class Transformer(unittest.TestCase):
     """The shipped policy on a few opponents; the whole reports are in docs/."""
