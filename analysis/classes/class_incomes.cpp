@@ -2,13 +2,15 @@
 #include <folk/analysis/classes/class_tournament.h>
 #include <folk/analysis/classes/joint_walk.h>
 #include <folk/analysis/classes/own_copy.h>
-#include <folk/analysis/play/parallel.h>
+#include <folk/analysis/crew/packing.h>
+#include <folk/analysis/play/signature.h>
 #include <folk/games/error.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace folk {
 namespace {
@@ -54,7 +56,13 @@ public:
     for (const Living* living = first.begin; living != first.end; ++living) incomes_[living->place] += leaves.income;
   }
 
-  const std::vector<std::int64_t>& incomes() const { return incomes_; }
+  /// What those of a list have earned, in its order; it is forgotten.
+  std::vector<std::int64_t> hand_over(std::span<const Living> list) {
+    std::vector<std::int64_t> earned;
+    earned.reserve(list.size());
+    for (const Living& living : list) earned.push_back(std::exchange(incomes_[living.place], 0));
+    return earned;
+  }
 
   /// Those of a list whose genes under `mask` (of member numbers) are `value`.
   static void select(std::vector<Living>& selected, std::span<const Living> list, std::uint32_t mask,
@@ -88,10 +96,11 @@ private:
 }  // namespace
 
 ClassIncomes::ClassIncomes(const MemoryClass& members, const Payoffs& payoffs, const Criterion& criterion,
-                           double individuals, unsigned threads)
+                           double individuals, unsigned threads, const Crew& crew)
     : members_(members),
       criterion_(criterion),
       threads_(std::max(1U, threads)),
+      crew_(&crew),
       scale_(class_scale(members, payoffs, criterion, individuals)) {
   if (members.entries() > most_ranked_entries)
     throw UsageError(fmt::format("{} has {} members: populations take classes up to X + Y = 4", members.name(),
@@ -119,24 +128,54 @@ std::vector<std::int64_t> ClassIncomes::operator()(std::span<const std::uint32_t
   std::vector<Worker> workers(threads_, Worker{walk, Partition(members_.genes(), numbers, unit)});
   // A piece of work has both players' openings.
   const std::uint32_t mask = ((1U << openings) - 1) << entries;
-  parallel_for(
-      std::size_t{1} << (2 * openings), threads_,
-      [&](std::size_t piece, unsigned number) {
-        Worker& worker = workers[number];
-        const auto code = static_cast<std::uint32_t>(piece);
-        Partition::select(worker.first, all, mask, (code >> openings) << entries);
-        Partition::select(worker.second, all, mask, (code << entries) & mask);
-        if (worker.first.empty() || worker.second.empty()) return;
-        const auto part = [mask](std::vector<Living>& list) {
-          return Partition::First{list.data(), list.data() + list.size(), mask};
-        };
-        worker.walk.run(worker.genes, part(worker.first), part(worker.second));
-      },
-      progress);
+  const auto first_of = [&](std::size_t piece) { return (static_cast<std::uint32_t>(piece) >> openings) << entries; };
+  std::vector<std::vector<std::int64_t>> earned(std::size_t{1} << (2 * openings));  // by those of first_of
+  crew_->run({[&] { return identity_of(members, numbers); }, earned.size(), threads_,
+              [&](std::size_t piece, unsigned number) {
+                Worker& worker = workers[number];
+                const auto code = static_cast<std::uint32_t>(piece);
+                Partition::select(worker.first, all, mask, first_of(piece));
+                Partition::select(worker.second, all, mask, (code << entries) & mask);
+                if (worker.first.empty() || worker.second.empty()) return;
+                const auto part = [mask](std::vector<Living>& list) {
+                  return Partition::First{list.data(), list.data() + list.size(), mask};
+                };
+                worker.walk.run(worker.genes, part(worker.first), part(worker.second));
+                Partition::select(worker.first, all, mask, first_of(piece));  // in order again
+                earned[piece] = worker.genes.hand_over(worker.first);
+              },
+              [&](std::size_t piece) {
+                std::string bytes;
+                pack(bytes, std::span<const std::int64_t>(earned[piece]));
+                return bytes;
+              },
+              [&](std::size_t piece, std::string_view bytes) {
+                Unpacker unpacker(bytes);
+                earned[piece].resize(bytes.size() / sizeof(std::int64_t));
+                unpacker.read(std::span(earned[piece]));
+                unpacker.end();
+              }},
+             progress);
   std::vector<std::int64_t> incomes(members.size(), 0);
-  for (const Worker& worker : workers)
-    for (std::size_t i = 0; i < incomes.size(); ++i) incomes[i] += worker.genes.incomes()[i];
+  std::vector<Living> list;
+  for (std::size_t piece = 0; piece < earned.size(); ++piece) {
+    if (earned[piece].empty()) continue;
+    Partition::select(list, all, mask, first_of(piece));
+    for (std::size_t i = 0; i < list.size(); ++i) incomes[list[i].place] += earned[piece].at(i);
+  }
   return incomes;
+}
+
+std::uint64_t ClassIncomes::identity_of(std::span<const std::uint32_t> members,
+                                        std::span<const std::int64_t> numbers) const {
+  Signature signature;
+  signature.add("incomes of a class");
+  signature.add(members_.name());
+  signature.add(criterion_.to_string());
+  for (const double payoff : scale_.payoffs.by_outcome) signature.add(payoff);
+  for (const std::uint32_t member : members) signature.add(std::uint64_t{member});
+  for (const std::int64_t number : numbers) signature.add(static_cast<std::uint64_t>(number));
+  return signature.value();
 }
 
 std::vector<std::int64_t> ClassIncomes::own_copies(std::span<const std::uint32_t> members) const {

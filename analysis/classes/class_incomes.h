@@ -2,6 +2,7 @@
 // What the members of a class earn in a population of themselves, without playing the pairs one by one.
 
 #include <folk/analysis/classes/class_scale.h>
+#include <folk/analysis/crew/crew.h>
 #include <folk/games/match_rules.h>
 #include <folk/games/progress.h>
 #include <folk/strategies/standard/memory_class.h>
@@ -17,12 +18,13 @@ namespace folk {
 class ClassIncomes {
 public:
   /// Throws UsageError for a class of more than most_ranked_entries entries, and where incomes become too large to add
-  /// up.
+  /// up. `crew`, which shares the work, must outlive this.
   ClassIncomes(const MemoryClass& members, const Payoffs& payoffs, const Criterion& criterion, double individuals,
-               unsigned threads = 1);
+               unsigned threads = 1, const Crew& crew = one_process());
 
   /// sum_j n_j S_ij for each i of `members` (numbers in the class, each once): `numbers` holds n_j, of these members
-  /// and no others. The result does not depend on the number of threads. Throws Cancelled.
+  /// and no others. The result depends neither on the number of threads nor on the
+  /// crew. Throws Cancelled, and what the crew throws.
   std::vector<std::int64_t> operator()(std::span<const std::uint32_t> members, std::span<const std::int64_t> numbers,
                                        const Progress& progress = nullptr) const;
 
@@ -35,9 +37,12 @@ public:
   double total_weight() const { return criterion_.total_weight(); }
 
 private:
+  std::uint64_t identity_of(std::span<const std::uint32_t> members, std::span<const std::int64_t> numbers) const;
+
   MemoryClass members_;
   Criterion criterion_;
   unsigned threads_;
+  const Crew* crew_;
   ClassScale scale_;
 };
 

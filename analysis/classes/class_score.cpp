@@ -1,6 +1,6 @@
 #include <folk/analysis/classes/class_score.h>
 #include <folk/analysis/classes/revelation.h>
-#include <folk/analysis/play/parallel.h>
+#include <folk/analysis/play/signature.h>
 #include <folk/analysis/play/whole_payoffs.h>
 #include <folk/games/error.h>
 #include <folk/games/int128.h>
@@ -29,6 +29,18 @@ Integer integer(Int128 value) {
   const Integer both =
       (Integer(static_cast<std::uint64_t>(size >> 64)) << 64) + Integer(static_cast<std::uint64_t>(size));
   return negative ? -both : both;
+}
+
+/// Of all that a score depends on; `automaton` is minimal.
+std::uint64_t identity_of(const MemoryClass& members, const Automaton& automaton, const ClassScoreSettings& settings) {
+  Signature signature;
+  signature.add("score against a class");
+  signature.add(members.name());
+  signature.add(to_text(settings.payoffs));
+  signature.add(settings.criterion.to_string());
+  signature.add(settings.most_leaves);
+  signature.add(automaton);
+  return signature.value();
 }
 
 Automaton table_of(const Machine& entrant, const Criterion& criterion) {
@@ -91,7 +103,7 @@ ClassScore score_of(const MemoryClass& members, const Criterion& criterion, cons
 }  // namespace
 
 ClassScore score_against(const MemoryClass& members, const Machine& entrant, const ClassScoreSettings& settings,
-                         const Progress& progress) {
+                         const Progress& progress, const Crew& crew) {
   const Criterion& criterion = settings.criterion;
   const WholePayoffs payoffs = whole_payoffs(settings.payoffs);
   if (criterion.is_finite() && !payoffs.exact(static_cast<double>(criterion.rounds())))
@@ -109,15 +121,21 @@ ClassScore score_against(const MemoryClass& members, const Machine& entrant, con
   std::vector<Revelation> workers(std::max(1U, settings.threads), Revelation(members, table, settings, payoffs));
   std::vector<Revealed> found(pieces);
   std::atomic<std::uint64_t> leaves{0};
-  parallel_for(
-      pieces, settings.threads,
-      [&](std::size_t piece, unsigned worker) {
-        found[piece] = workers[worker].run(piece, ahead, progress, leaves, settings.most_leaves);
-      },
-      progress);
+  crew.run({[&] { return identity_of(members, automaton, settings); }, pieces, settings.threads,
+            [&](std::size_t piece, unsigned worker) {
+              found[piece] = workers[worker].run(piece, ahead, progress, leaves, settings.most_leaves);
+            },
+            [&](std::size_t piece) { return found[piece].packed(); },
+            [&](std::size_t piece, std::string_view bytes) { found[piece].unpack(bytes); }},
+           progress);
   Revealed all;
   for (const Revealed& piece : found) all += piece;
-
+  // Each rank counts its own leaves: only now is it known how many there are in all.
+  std::uint64_t in_all = 0;
+  for (const RevealedSums& sums : all.by_asked) in_all += sums.leaves;
+  if (all.given_up || in_all > settings.most_leaves)
+    throw TooManyKinds(
+        fmt::format("it tells more than {} kinds of opponents in {} apart", settings.most_leaves, members.name()));
   return score_of(members, criterion, payoffs, all);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // How one strategy does against a complete class, without listing it.
 
+#include <folk/analysis/crew/crew.h>
 #include <folk/games/error.h>
 #include <folk/games/integer.h>
 #include <folk/games/match_rules.h>
@@ -54,8 +55,9 @@ struct ClassScore {
 /// Scores a deterministic machine. The opponents' genes are revealed one by one as play asks for them: where play
 /// returns to a joint state, or finite:T is over, the rest is known and what was asked stands for all members that have
 /// it. Throws UsageError for a machine that mixes, for an infinite one unless finite:T bounds the match, for scores too
-/// large to add up exactly; TooManyKinds when there are more leaves than settings allow; Cancelled.
+/// large to add up exactly; TooManyKinds when there are more leaves than settings allow; Cancelled; and what the crew
+/// that shares the work throws.
 ClassScore score_against(const MemoryClass& members, const Machine& entrant, const ClassScoreSettings& settings,
-                         const Progress& progress = nullptr);
+                         const Progress& progress = nullptr, const Crew& crew = one_process());
 
 }  // namespace folk

@@ -1,7 +1,7 @@
 #include <folk/analysis/classes/class_tournament.h>
 #include <folk/analysis/classes/joint_walk.h>
 #include <folk/analysis/classes/own_copy.h>
-#include <folk/analysis/play/parallel.h>
+#include <folk/analysis/crew/packing.h>
 #include <folk/analysis/play/signature.h>
 #include <folk/games/error.h>
 
@@ -31,8 +31,9 @@ class SubcubeSums {
   static constexpr bool fixed_point = !std::is_same_v<Number, Sum>;
 
 public:
-  SubcubeSums(const MemoryClass& members, const ClassScale& scale)
+  SubcubeSums(const MemoryClass& members, const ClassScale& scale, const Progress& progress)
       : members_(members),
+        progress_(&progress),
         genes_(members.genes()),
         open_(std::min(members.entries(), most_open)),
         tolerance_(static_cast<Number>(scale.tolerance)),
@@ -49,7 +50,7 @@ public:
   /// Sums what the first player earns from all, for each member with the fixed genes of piece number `piece`, into
   /// its place in `totals`.
   void add_up(JointWalk<Number>& walk, std::uint32_t piece, std::span<MemberTotals> totals) {
-    order_genes((piece >> (fixed() - members_.openings())) & 1U);
+    order_genes(piece);
     First first{0, 0, cells_.size() - 1};  // all digits 2
     std::uint32_t member = 0;
     for (unsigned i = 0; i < fixed(); ++i) {
@@ -60,6 +61,18 @@ public:
     }
     walk.run(*this, first, Second{0, 0, static_cast<Sum>(std::int64_t{1} << genes_)});
     spread(0, cells_.size(), fixed(), member, totals);
+  }
+
+  /// The members with the fixed genes of a piece.
+  template <class Visit>
+  void each_member(std::uint32_t piece, Visit&& visit) const {
+    const auto order = order_of(piece);
+    for (std::uint32_t rest = 0; rest < 1U << open_; ++rest) {
+      const std::uint32_t moves = (piece << open_) | rest;
+      std::uint32_t member = 0;
+      for (unsigned i = 0; i < genes_; ++i) member |= ((moves >> (genes_ - 1 - i)) & 1U) << (genes_ - 1 - order[i]);
+      visit(member);
+    }
   }
 
   /// Genes as bits, the first gene lowest.
@@ -115,6 +128,7 @@ public:
   }
 
   void add(const First& first, const Leaves& leaves) {
+    if ((++added_ & 0xffffU) == 0) progress_->check();
     if (leaves.any) cells_[first.place] += __builtin_convertvector(leaves.totals, Lanes<std::int64_t>);
   }
 
@@ -122,19 +136,25 @@ private:
   /// Fixed genes first. A match that asks for few of the fixed entries is walked in many pieces, so those are fixed
   /// that most matches ask for: where a player does the opposite of its last opening it comes by an entry of that
   /// memory, and entry 0, permanent cooperation, is left early or never.
-  void order_genes(unsigned last_opening) {
+  std::vector<unsigned> order_of(std::uint32_t piece) const {
+    const unsigned last_opening = (piece >> (fixed() - members_.openings())) & 1U;
     const unsigned moves = std::min(2U, members_.own_memory());
     const unsigned changed = moves == 2 ? (last_opening << 1U) | (last_opening ^ 1U) : last_opening ^ 1U;
     const auto changes = [&](unsigned gene) {
       const unsigned own = (gene - members_.openings()) >> members_.their_memory();
       return moves > 0 && (own & ((1U << moves) - 1)) == changed;
     };
-    order_.resize(genes_);
-    std::iota(order_.begin(), order_.end(), 0U);
-    const auto entries = order_.begin() + members_.openings();
-    std::rotate(entries, entries + 1, order_.end());
-    std::stable_partition(entries, order_.end(), changes);
-    std::sort(order_.begin() + fixed(), order_.end());
+    std::vector<unsigned> order(genes_);
+    std::iota(order.begin(), order.end(), 0U);
+    const auto entries = order.begin() + members_.openings();
+    std::rotate(entries, entries + 1, order.end());
+    std::stable_partition(entries, order.end(), changes);
+    std::sort(order.begin() + fixed(), order.end());
+    return order;
+  }
+
+  void order_genes(std::uint32_t piece) {
+    order_ = order_of(piece);
     std::size_t power = 1;
     for (unsigned i = genes_; i-- > fixed(); power *= 3) power_[order_[i]] = power;
   }
@@ -160,6 +180,8 @@ private:
   }
 
   MemoryClass members_;
+  const Progress* progress_;  // a piece may take seconds
+  std::uint64_t added_ = 0;
   unsigned genes_;
   unsigned open_;
   Number tolerance_;
@@ -169,52 +191,72 @@ private:
   std::vector<Lanes<std::int64_t>> cells_;
 };
 
+/// Of all that the totals depend on.
+std::uint64_t identity_of(const MemoryClass& members, const ClassSettings& settings) {
+  Signature signature;
+  signature.add("totals of a class");
+  signature.add(members.name());
+  signature.add(to_text(settings.payoffs));
+  signature.add(settings.criterion.to_string());
+  signature.add(std::uint64_t{settings.self_play ? 1U : 0U});
+  return signature.value();
+}
+
 template <class Number, class Sum>
 std::vector<MemberTotals> all_totals(const MemoryClass& members, const ClassSettings& settings, const ClassScale& scale,
-                                     const Progress& progress) {
+                                     const Progress& progress, const Crew& crew) {
   const JointWalk<Number> walk(members, settings.criterion, scale.payoffs.by_outcome,
                                static_cast<Number>(scale.common));
   struct Worker {
     JointWalk<Number> walk;
     SubcubeSums<Number, Sum> sums;
   };
-  std::vector<Worker> workers(std::max(1U, settings.threads), Worker{walk, {members, scale}});
+  std::vector<Worker> workers(std::max(1U, settings.threads), Worker{walk, {members, scale, progress}});
   std::vector<MemberTotals> totals(std::size_t{1} << members.genes());
-  parallel_for(
-      std::size_t{1} << workers[0].sums.fixed(), settings.threads,
-      [&](std::size_t piece, unsigned worker) {
-        workers[worker].sums.add_up(workers[worker].walk, static_cast<std::uint32_t>(piece), totals);
-      },
-      progress.part(0, settings.self_play ? 1 : 0.5));
-  if (settings.self_play) return totals;
   const double unit = scale.exact ? 1 : scale.cooperation_unit;
-  const std::size_t width = std::min<std::size_t>(totals.size(), 1024);
-  parallel_for(
-      totals.size() / width, settings.threads,
-      [&](std::size_t piece, unsigned worker) {
-        for (std::size_t member = piece * width; member < (piece + 1) * width; ++member) {
-          const auto path = own_copy(workers[worker].walk, members, static_cast<std::uint32_t>(member));
-          totals[member].score -= static_cast<std::int64_t>(static_cast<double>(path[own_payoff]) * unit);
-          totals[member].cooperations -= static_cast<std::int64_t>(static_cast<double>(path[own_cooperations]) * unit);
-          totals[member].draws -= 1;
-        }
-      },
-      progress.part(0.5, 1));
+  const auto each_member = [&](std::size_t piece, auto&& visit) {
+    workers[0].sums.each_member(static_cast<std::uint32_t>(piece), visit);
+  };
+  crew.run({[&] { return identity_of(members, settings); }, std::size_t{1} << workers[0].sums.fixed(), settings.threads,
+            [&](std::size_t piece, unsigned worker) {
+              workers[worker].sums.add_up(workers[worker].walk, static_cast<std::uint32_t>(piece), totals);
+              if (settings.self_play) return;
+              each_member(piece, [&](std::uint32_t member) {
+                const auto path = own_copy(workers[worker].walk, members, member);
+                totals[member].score -= static_cast<std::int64_t>(static_cast<double>(path[own_payoff]) * unit);
+                totals[member].cooperations -=
+                    static_cast<std::int64_t>(static_cast<double>(path[own_cooperations]) * unit);
+                totals[member].draws -= 1;
+              });
+            },
+            [&](std::size_t piece) {
+              std::string bytes;
+              each_member(piece, [&](std::uint32_t member) { pack(bytes, totals[member]); });
+              return bytes;
+            },
+            [&](std::size_t piece, std::string_view bytes) {
+              Unpacker unpacker(bytes);
+              each_member(piece, [&](std::uint32_t member) { totals[member] = unpacker.number<MemberTotals>(); });
+              unpacker.end();
+            }},
+           progress);
   return totals;
 }
 
 }  // namespace
 
-ClassTournament play_class(const MemoryClass& members, const ClassSettings& settings, const Progress& progress) {
+ClassTournament play_class(const MemoryClass& members, const ClassSettings& settings, const Progress& progress,
+                           const Crew& crew) {
   if (members.entries() > most_ranked_entries)
     throw UsageError(fmt::format("{} has {} members: a class is ranked as a whole up to X + Y = 4", members.name(),
                                  members.size_text()));
   const auto size = static_cast<double>(std::uint64_t{1} << members.genes());
   ClassScale scale = class_scale(members, settings.payoffs, settings.criterion, size);
   const double largest = settings.criterion.total_weight() * scale.payoffs.largest * static_cast<double>(scale.common);
-  auto totals = !scale.exact               ? all_totals<double, std::int64_t>(members, settings, scale, progress)
-                : largest * size <= 0x1p53 ? all_totals<double, double>(members, settings, scale, progress)
-                                           : all_totals<std::int64_t, std::int64_t>(members, settings, scale, progress);
+  auto totals = !scale.exact ? all_totals<double, std::int64_t>(members, settings, scale, progress, crew)
+                : largest * size <= 0x1p53
+                    ? all_totals<double, double>(members, settings, scale, progress, crew)
+                    : all_totals<std::int64_t, std::int64_t>(members, settings, scale, progress, crew);
   return {members, settings, std::move(scale), std::move(totals)};
 }
 

@@ -2,6 +2,7 @@
 // The tournament of a complete class: every member against every member, without playing the pairs one by one.
 
 #include <folk/analysis/classes/class_scale.h>
+#include <folk/analysis/crew/crew.h>
 #include <folk/games/match_rules.h>
 #include <folk/games/progress.h>
 #include <folk/strategies/standard/memory_class.h>
@@ -18,7 +19,7 @@ struct ClassSettings {
   Payoffs payoffs;
   Criterion criterion = Criterion::finite(100);
   bool self_play = true;  ///< each member also meets its own copy, once
-  unsigned threads = 1;   ///< the results do not depend on it
+  unsigned threads = 1;   ///< of this process; the results do not depend on it
 };
 
 /// What a member earned from all others. Scores and cooperations are whole numbers in units of ClassScale.
@@ -77,8 +78,9 @@ private:
 /// The largest class that can be ranked as a whole: so many table entries, 2^20 members.
 inline constexpr unsigned most_ranked_entries = 16;
 
-/// Ranks a class. Throws UsageError for a class of more entries and for scores too large to add up, and Cancelled.
+/// Ranks a class; `crew` shares the work. Throws UsageError for a class of more entries and for scores too large to add
+/// up, Cancelled, and what the crew throws.
 ClassTournament play_class(const MemoryClass& members, const ClassSettings& settings,
-                           const Progress& progress = nullptr);
+                           const Progress& progress = nullptr, const Crew& crew = one_process());
 
 }  // namespace folk

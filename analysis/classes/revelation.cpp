@@ -2,13 +2,17 @@
 #include <folk/analysis/classes/revelation.h>
 #include <folk/games/outcome.h>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 #include <utility>
 
 namespace folk {
+namespace {
+
+/// Thrown within a piece of work where it is given up.
+struct GivenUp {};
+
+}  // namespace
 
 void RevealedSums::add(std::size_t length, Int128 more_own, Int128 more_cooperations) {
   if (own.size() <= length) {
@@ -35,7 +39,62 @@ Revealed& Revealed::operator+=(const Revealed& more) {
   for (std::size_t asked = 0; asked < more.by_asked.size(); ++asked) by_asked[asked] += more.by_asked[asked];
   if (more.best.any) best.offer(more.best.value, more.best.genes, false);
   if (more.worst.any) worst.offer(more.worst.value, more.worst.genes, true);
+  given_up = given_up || more.given_up;
   return *this;
+}
+
+void RevealedSums::pack_into(std::string& bytes) const {
+  pack(bytes, std::uint64_t{own.size()});
+  pack(bytes, std::span<const Int128>(own));
+  pack(bytes, std::span<const Int128>(cooperations));
+  pack(bytes, rounded_own);
+  pack(bytes, rounded_cooperations);
+  for (const std::uint64_t count : {beats, draws, leaves}) pack(bytes, count);
+}
+
+void RevealedSums::unpack(Unpacker& bytes) {
+  const auto lengths = bytes.number<std::uint64_t>();
+  for (auto* sums : {&own, &cooperations}) {
+    sums->resize(lengths);
+    bytes.read(std::span<Int128>(*sums));
+  }
+  rounded_own = bytes.number<long double>();
+  rounded_cooperations = bytes.number<long double>();
+  for (auto* count : {&beats, &draws, &leaves}) *count = bytes.number<std::uint64_t>();
+}
+
+void ExtremeLeaf::pack_into(std::string& bytes) const {
+  pack(bytes, any);
+  pack(bytes, value);
+  pack(bytes, std::uint64_t{genes.size()});
+  pack(bytes, std::span<const unsigned char>(genes));
+}
+
+void ExtremeLeaf::unpack(Unpacker& bytes) {
+  any = bytes.number<bool>();
+  value = bytes.number<double>();
+  genes.resize(bytes.number<std::uint64_t>());
+  bytes.read(std::span<unsigned char>(genes));
+}
+
+std::string Revealed::packed() const {
+  std::string bytes;
+  pack(bytes, given_up);
+  best.pack_into(bytes);
+  worst.pack_into(bytes);
+  pack(bytes, std::uint64_t{by_asked.size()});
+  for (const RevealedSums& sums : by_asked) sums.pack_into(bytes);
+  return bytes;
+}
+
+void Revealed::unpack(std::string_view packed) {
+  Unpacker bytes(packed);
+  given_up = bytes.number<bool>();
+  best.unpack(bytes);
+  worst.unpack(bytes);
+  by_asked.resize(bytes.number<std::uint64_t>());
+  for (RevealedSums& sums : by_asked) sums.unpack(bytes);
+  bytes.end();
 }
 
 Revelation::Revelation(const MemoryClass& members, const CycleTable& entrant, const ClassScoreSettings& settings,
@@ -66,8 +125,15 @@ Revealed Revelation::run(std::size_t answers, unsigned ahead, const Progress& pr
   most_leaves_ = most_leaves;
   found_ = {};
   found_.by_asked.resize(members_.genes() + 1);
-  walk(0, entrant_->start(), 0, 0, 0);
-  report();
+  unreported_ = 0;
+  try {
+    report();
+    walk(0, entrant_->start(), 0, 0, 0);
+    report();
+  } catch (const GivenUp&) {
+    forget();
+    found_.given_up = true;
+  }
   return std::exchange(found_, {});
 }
 
@@ -154,9 +220,15 @@ void Revelation::leaf(std::size_t begin, std::size_t end, unsigned asked) {
 
 void Revelation::report() {
   progress_->check();
-  if ((*all_leaves_ += std::exchange(unreported_, 0)) > most_leaves_)
-    throw TooManyKinds(
-        fmt::format("it tells more than {} kinds of opponents in {} apart", most_leaves_, members_.name()));
+  if ((*all_leaves_ += std::exchange(unreported_, 0)) > most_leaves_) throw GivenUp();
+}
+
+/// As before a walk.
+void Revelation::forget() {
+  for (; !marked_.empty(); marked_.pop_back()) *marked_.back() = 0;
+  std::fill(known_.begin(), known_.end(), static_cast<unsigned char>(0));
+  std::fill(moves_.begin(), moves_.end(), static_cast<unsigned char>(0));
+  found_ = {};
 }
 
 }  // namespace folk

@@ -2,6 +2,7 @@
 // All matches of one machine with the members of a class, whose genes are revealed one by one as play asks for them.
 
 #include <folk/analysis/classes/class_score.h>
+#include <folk/analysis/crew/packing.h>
 #include <folk/analysis/play/cycle_table.h>
 #include <folk/analysis/play/whole_payoffs.h>
 #include <folk/games/int128.h>
@@ -12,6 +13,8 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -50,6 +53,9 @@ struct RevealedSums {
 
   void add(std::size_t length, Int128 more_own, Int128 more_cooperations);
   RevealedSums& operator+=(const RevealedSums& more);
+
+  void pack_into(std::string& bytes) const;
+  void unpack(Unpacker& bytes);
 };
 
 /// The leaf that stands out so far; genes that were not asked are C.
@@ -65,6 +71,9 @@ struct ExtremeLeaf {
     value = offered;
     genes = moves;
   }
+
+  void pack_into(std::string& bytes) const;
+  void unpack(Unpacker& bytes);
 };
 
 /// What one piece of work, or all of them, found.
@@ -72,8 +81,12 @@ struct Revealed {
   std::vector<RevealedSums> by_asked;
   ExtremeLeaf best;
   ExtremeLeaf worst;
+  bool given_up = false;  ///< there are more leaves in all than may be
 
   Revealed& operator+=(const Revealed& more);
+
+  std::string packed() const;
+  void unpack(std::string_view packed);
 };
 
 /// Walks the matches. Where play returns to a joint state, or finite:T is over, the rest is known: a leaf.
@@ -83,7 +96,8 @@ public:
              const WholePayoffs& payoffs);
 
   /// Everything that begins with these answers to the first questions, the first answer in the highest of `ahead` bits.
-  /// `leaves` counts those of all pieces; throws TooManyKinds when they are more than `most_leaves`, and Cancelled.
+  /// `leaves` counts those of all pieces; where they are more than `most_leaves` the piece is given up. Throws
+  /// Cancelled.
   Revealed run(std::size_t answers, unsigned ahead, const Progress& progress, std::atomic<std::uint64_t>& leaves,
                std::uint64_t most_leaves);
 
@@ -96,6 +110,7 @@ private:
                                                       unsigned theirs, unsigned move);
   void leaf(std::size_t begin, std::size_t end, unsigned asked);
   void report();
+  void forget();
 
   MemoryClass members_;
   const CycleTable* entrant_;

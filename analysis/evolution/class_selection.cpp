@@ -24,9 +24,9 @@ double sum_of(const Population& population) { return std::accumulate(population.
 }  // namespace
 
 ClassSelection::ClassSelection(const MemoryClass& members, const Payoffs& payoffs, const Criterion& criterion,
-                               const Population& start, unsigned threads, const Progress& progress)
-    : incomes_(members, payoffs, criterion, sum_of(start), threads),
-      cooperations_(members, one_a_cooperation(), criterion, sum_of(start), threads),
+                               const Population& start, unsigned threads, const Progress& progress, const Crew& crew)
+    : incomes_(members, payoffs, criterion, sum_of(start), threads, crew),
+      cooperations_(members, one_a_cooperation(), criterion, sum_of(start), threads, crew),
       behaviours_(behaviours_of(members, threads, progress)),
       own_copies_(incomes_.own_copies(behaviours_.first)),
       total_(sum_of(start)) {

@@ -11,9 +11,11 @@ namespace folk {
 /// S_ii, for all members of a class (entrant i is member number i). Members that behave alike are fed as one.
 class ClassSelection : public Dynamics {
 public:
-  /// Throws UsageError on negative payoffs, more than most_individuals, and what ClassIncomes refuses; Cancelled.
+  /// `crew` feeds them together, and must outlive this. Throws UsageError on negative payoffs, more than
+  /// most_individuals, and what ClassIncomes refuses; Cancelled.
   ClassSelection(const MemoryClass& members, const Payoffs& payoffs, const Criterion& criterion,
-                 const Population& start, unsigned threads, const Progress& progress = nullptr);
+                 const Population& start, unsigned threads, const Progress& progress = nullptr,
+                 const Crew& crew = one_process());
 
   void advance(Population& now, RandomStream&) const override;
   bool is_random() const override { return false; }

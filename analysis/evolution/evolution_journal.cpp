@@ -1,5 +1,5 @@
+#include <folk/analysis/crew/seal.h>
 #include <folk/analysis/evolution/evolution_journal.h>
-#include <folk/analysis/play/signature.h>
 #include <folk/games/error.h>
 
 #include <fmt/format.h>
@@ -16,17 +16,6 @@ namespace {
 constexpr std::string_view evolution_title = "folk evolution journal 1";
 constexpr std::string_view fixation_title = "folk fixation journal 1";
 
-std::uint64_t seal_of(std::string_view text) {
-  Signature signature;
-  signature.add(text);
-  return signature.value();
-}
-
-std::string sealed(std::string text) {
-  text += fmt::format("seal {:016x}\n", seal_of(text));
-  return text;
-}
-
 void put(fmt::memory_buffer& out, std::string_view name, const std::vector<double>& numbers) {
   fmt::format_to(std::back_inserter(out), "{}", name);
   for (const double number : numbers) fmt::format_to(std::back_inserter(out), " {}", number);
@@ -42,19 +31,9 @@ class SealedReader {
 public:
   SealedReader(std::string_view text, std::string_view title, const std::string& source, std::uint64_t identity)
       : source_(source) {
-    if (text.substr(0, text.find('\n')) != title)
-      refuse_file(source_, fmt::format("not a journal of this kind of run (\"{}\"): name another file", title));
-    const auto seal = text.rfind("seal ");
-    if (seal == std::string_view::npos || text[seal - 1] != '\n' ||
-        text.substr(seal) != fmt::format("seal {:016x}\n", seal_of(text.substr(0, seal))))
-      refuse_file(source_, "a journal that is damaged or cut off: delete it to begin anew");
-    rest_ = text.substr(title.size(), seal - title.size());
+    rest_ = unsealed(text, title, source_);
     word("identity");
-    const auto found = token();
-    if (found != fmt::format("{:016x}", identity))
-      refuse_file(source_,
-                  "the journal of another run (another roster, model, start or seed): name another file or "
-                  "delete it");
+    if (token() != fmt::format("{:016x}", identity)) refuse_other_run(source_);
   }
 
   void word(std::string_view expected) {

@@ -106,6 +106,15 @@ std::vector<PairResult> PairPlayer::play_together(const std::vector<std::pair<st
   return play_sampled(contests, sampling_, progress);
 }
 
+void PairPlayer::sign(Signature& signature) const {
+  for (std::size_t i = 0; i < roster_.size(); ++i) {
+    signature.add(roster_[i].name);
+    signature.add(behaviour_of_[i]);
+  }
+  for (const Prepared& prepared : prepared_)
+    if (prepared.automaton) signature.add(*prepared.automaton);
+}
+
 Contest PairPlayer::contest(std::size_t a, std::size_t b) const {
   return {&strategy(a), &strategy(b), (std::uint64_t{behaviours_[a]} << 32U) | behaviours_[b],
           sampling_.noise == 0 && prepared_[a].deterministic && prepared_[b].deterministic};

@@ -4,6 +4,7 @@
 #include <folk/analysis/play/cycle_table.h>
 #include <folk/analysis/play/pair_result.h>
 #include <folk/analysis/play/side_by_side.h>
+#include <folk/analysis/play/signature.h>
 #include <folk/games/progress.h>
 #include <folk/strategies/automaton.h>
 #include <folk/strategies/strategy.h>
@@ -47,6 +48,9 @@ public:
   /// Pairs that think together, all at once, with the sampling's threads; results in the same order.
   std::vector<PairResult> play_together(const std::vector<std::pair<std::size_t, std::size_t>>& pairs,
                                         const Progress& progress) const;
+
+  /// Adds what is known of each entrant's play: its name, its behaviour, and the behaviours' automata.
+  void sign(Signature& signature) const;
 
 private:
   struct Prepared {

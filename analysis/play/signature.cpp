@@ -1,4 +1,5 @@
 #include <folk/analysis/play/signature.h>
+#include <folk/strategies/automaton.h>
 
 // The functions themselves, in this file alone: programs need no library of xxHash to run.
 #define XXH_INLINE_ALL
@@ -21,6 +22,16 @@ void Signature::add(std::string_view text) {
   add(std::uint64_t{text.size()});
   hand_over();
   XXH3_64bits_update(&state_->xxh3, text.data(), text.size());
+}
+
+void Signature::add(const Automaton& automaton) {
+  add(std::uint64_t{automaton.size()});
+  add(std::uint64_t{automaton.start()});
+  add(std::uint64_t{automaton.beyond() ? *automaton.beyond() : automaton.size()});
+  for (const auto& node : automaton.nodes()) {
+    add(node.cooperation);
+    for (const std::uint32_t next : node.next) add(std::uint64_t{next});
+  }
 }
 
 void Signature::hand_over() {

@@ -10,6 +10,8 @@
 
 namespace folk {
 
+class Automaton;
+
 /// XXH3 with 64 bits (Collet, xxHash; seed 0) over the little-endian bytes of all that was added. It guards against
 /// mistakes, not against intent. What files carry is sealed by another function, sct/files/checksum.h.
 class Signature {
@@ -30,6 +32,9 @@ public:
     for (unsigned byte = 0; byte < 8; ++byte) block_[waiting_ + byte] = static_cast<unsigned char>(word >> (8 * byte));
     waiting_ += 8;
   }
+
+  /// Its nodes, its start and where unseen moves lead: minimal automata that behave alike are the same.
+  void add(const Automaton& automaton);
 
   /// Of what was added so far; more may be added afterwards.
   std::uint64_t value() const;

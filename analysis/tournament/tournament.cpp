@@ -1,7 +1,9 @@
+#include <folk/analysis/crew/packing.h>
 #include <folk/analysis/play/pair_player.h>
 #include <folk/analysis/play/parallel.h>
 #include <folk/analysis/play/signature.h>
 #include <folk/analysis/play/whole_payoffs.h>
+#include <folk/analysis/tournament/blocks.h>
 #include <folk/analysis/tournament/standings.h>
 #include <folk/analysis/tournament/tournament.h>
 #include <folk/games/error.h>
@@ -38,8 +40,8 @@ double median_of(std::vector<double>& values) {
 }  // namespace
 
 Tournament play_tournament(std::vector<Strategy> roster, std::size_t core, const TournamentSettings& settings,
-                           const Progress& progress) {
-  return {std::move(roster), core, settings, progress};
+                           const Progress& progress, const Crew& crew) {
+  return {std::move(roster), core, settings, progress, crew};
 }
 
 Tournament play_tournament(std::vector<Strategy> roster, const TournamentSettings& settings, const Progress& progress) {
@@ -48,7 +50,7 @@ Tournament play_tournament(std::vector<Strategy> roster, const TournamentSetting
 }
 
 Tournament::Tournament(std::vector<Strategy> roster, std::size_t core, const TournamentSettings& settings,
-                       const Progress& progress)
+                       const Progress& progress, const Crew& crew)
     : roster_(std::move(roster)),
       core_(core),
       settings_(settings) {
@@ -57,7 +59,7 @@ Tournament::Tournament(std::vector<Strategy> roster, std::size_t core, const Tou
     throw UsageError("a roster of one without self-play has nothing to play");
   refuse_duplicates(roster_);
   scale_payoffs();
-  play_pairs(progress);
+  play_pairs(progress, crew);
   average_columns();
   rank();
   sign();
@@ -76,15 +78,16 @@ void Tournament::scale_payoffs() {
                     size(), settings_.criterion.to_string()));
 }
 
-void Tournament::play_pairs(const Progress& progress) {
+void Tournament::play_pairs(const Progress& progress, const Crew& crew) {
   PairPlayer player(roster_, settings_, settings_.threads);
   behaviour_of_ = player.behaviour_of();
   behaviours_ = player.behaviours().size();
   if (behaviours_ > most_behaviours)
     throw UsageError(fmt::format("{} strategies that all behave differently: a tournament takes up to {}", behaviours_,
                                  most_behaviours));
-  std::vector<std::size_t> members(behaviours_, 0);
-  for (const std::size_t behaviour : behaviour_of_) ++members[behaviour];
+  // A behaviour meets itself as its own copy or as another entrant that behaves alike.
+  members_.assign(behaviours_, 0);
+  for (const std::size_t behaviour : behaviour_of_) ++members_[behaviour];
   scores_.resize(behaviours_ * behaviours_);
   cooperations_.resize(behaviours_ * behaviours_);
   mutual_cooperations_.resize(behaviours_ * (behaviours_ + 1) / 2);
@@ -93,29 +96,119 @@ void Tournament::play_pairs(const Progress& progress) {
   guesses_.resize(behaviours_);
   for (std::size_t b = 0; b < behaviours_; ++b)
     if (player.is_opaque(b)) guesses_[b].resize(behaviours_);
-  // A behaviour meets itself as its own copy or as another entrant that behaves alike.
-  const auto meet = [&](std::size_t a, std::size_t b) { return a != b || settings_.self_play || members[b] > 1; };
 
-  std::vector<std::pair<std::size_t, std::size_t>> thinking;
+  Pairs thinking;
   for (std::size_t b = 0; b < behaviours_; ++b)
     for (std::size_t a = 0; a <= b; ++a)
       if (player.thinks_together(a, b) && meet(a, b)) thinking.emplace_back(a, b);
   const double share = thinking_share(thinking.size(), behaviours_ * (behaviours_ + 1) / 2);
-
-  parallel_for(
-      behaviours_, settings_.threads,
-      [&](std::size_t b, unsigned worker) {
-        for (std::size_t a = 0; a <= b; ++a) {
-          progress.check();
-          if (!player.thinks_together(a, b) && meet(a, b)) store(a, b, player.play(a, b, worker));
-        }
-      },
-      progress.part(0, 1 - share));
-  const auto results = player.play_together(thinking, progress.part(1 - share, 1));
-  for (std::size_t i = 0; i < thinking.size(); ++i) store(thinking[i].first, thinking[i].second, results[i]);
+  play_row_by_row(player, progress.part(0, 1 - share), crew);
+  play_together(player, thinking, progress.part(1 - share, 1), crew);
 
   for (auto& row : guesses_)
     if (std::all_of(row.begin(), row.end(), [](const Guesses& guesses) { return guesses.all == 0; })) row.clear();
+}
+
+void Tournament::play_row_by_row(PairPlayer& player, const Progress& progress, const Crew& crew) {
+  const auto blocks = row_blocks(behaviours_);
+  const auto each_pair = [&](std::size_t block, const auto& what) {
+    for (std::size_t b = blocks[block].begin; b < blocks[block].end; ++b)
+      for (std::size_t a = 0; a <= b; ++a) what(a, b);
+  };
+  crew.run({[&] { return identity(player, 0); }, blocks.size(), settings_.threads,
+            [&](std::size_t block, unsigned worker) {
+              each_pair(block, [&](std::size_t a, std::size_t b) {
+                progress.check();
+                if (!player.thinks_together(a, b) && meet(a, b)) store(a, b, player.play(a, b, worker));
+              });
+            },
+            [&](std::size_t block) {
+              std::string bytes;
+              each_pair(block, [&](std::size_t a, std::size_t b) { pack_pair(bytes, a, b); });
+              return bytes;
+            },
+            [&](std::size_t block, std::string_view bytes) {
+              Unpacker unpacker(bytes);
+              each_pair(block, [&](std::size_t a, std::size_t b) { unpack_pair(unpacker, a, b); });
+              unpacker.end();
+            }},
+           progress);
+}
+
+void Tournament::play_together(const PairPlayer& player, const Pairs& pairs, const Progress& progress,
+                               const Crew& crew) {
+  if (pairs.empty()) return;
+  const auto blocks = pair_blocks(pairs.size(), settings_.repetitions.count());
+  const auto part_of = [&](std::size_t block) {
+    const auto [begin, end] = blocks[block];
+    return Pairs(pairs.begin() + static_cast<std::ptrdiff_t>(begin), pairs.begin() + static_cast<std::ptrdiff_t>(end));
+  };
+  // Where others are at work too, how far one block has got says little.
+  const Progress ends([](double) {}, [progress] { return progress.cancelled(); });
+  const auto count = static_cast<double>(blocks.size());
+  const auto progress_of = [&](std::size_t block) {
+    const auto number = static_cast<double>(block);
+    return crew.ranks() > 1 ? ends : progress.part(number / count, (number + 1) / count);
+  };
+  // A block thinks with all threads.
+  crew.run({[&] { return identity(player, 1); }, blocks.size(), 1,
+            [&](std::size_t block, unsigned) {
+              const auto part = part_of(block);
+              const auto results = player.play_together(part, progress_of(block));
+              for (std::size_t i = 0; i < part.size(); ++i) store(part[i].first, part[i].second, results[i]);
+            },
+            [&](std::size_t block) {
+              std::string bytes;
+              for (const auto& [a, b] : part_of(block)) pack_pair(bytes, a, b);
+              return bytes;
+            },
+            [&](std::size_t block, std::string_view bytes) {
+              Unpacker unpacker(bytes);
+              for (const auto& [a, b] : part_of(block)) unpack_pair(unpacker, a, b);
+              unpacker.end();
+            }},
+           progress);
+}
+
+/// Of all that the pairs' figures depend on; `part`: the pairs that think together, or the others.
+std::uint64_t Tournament::identity(const PairPlayer& player, std::size_t part) const {
+  Signature signature;
+  signature.add("pairs of a roster");
+  signature.add(std::uint64_t{part});
+  signature.add(settings_.criterion.to_string());
+  signature.add(to_text(settings_.payoffs));
+  signature.add(settings_.noise.probability());
+  signature.add(std::uint64_t{settings_.self_play ? 1U : 0U});
+  signature.add(settings_.repetitions.count());
+  signature.add(settings_.seed);
+  player.sign(signature);
+  return signature.value();
+}
+
+void Tournament::pack_pair(std::string& bytes, std::size_t a, std::size_t b) const {
+  pack(bytes, mutual_cooperations_[common_cell(a, b)]);
+  for (const auto& [own, theirs] : {std::pair(a, b), std::pair(b, a)}) {
+    const std::size_t at = own * behaviours_ + theirs;
+    pack(bytes, scores_[at]);
+    pack(bytes, cooperations_[at]);
+    pack(bytes, notes_[at].method);
+    pack(bytes, notes_[at].wins);
+    if (!errors_.empty()) pack(bytes, errors_[at]);
+    if (!guesses_[own].empty()) pack(bytes, guesses_[own][theirs]);
+  }
+}
+
+void Tournament::unpack_pair(Unpacker& bytes, std::size_t a, std::size_t b) {
+  mutual_cooperations_[common_cell(a, b)] = bytes.number<double>();
+  for (const auto& [own, theirs] : {std::pair(a, b), std::pair(b, a)}) {
+    const std::size_t at = own * behaviours_ + theirs;
+    scores_[at] = bytes.number<double>();
+    cooperations_[at] = bytes.number<double>();
+    notes_[at].method = bytes.number<Method>();
+    notes_[at].wins = bytes.number<bool>();
+    if (!errors_.empty()) errors_[at] = bytes.number<double>();
+    if (!guesses_[own].empty()) guesses_[own][theirs] = bytes.number<Guesses>();
+  }
 }
 
 void Tournament::store(std::size_t a, std::size_t b, const PairResult& result) {

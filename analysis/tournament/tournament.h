@@ -1,6 +1,7 @@
 #pragma once
 // The round-robin tournament: everyone against everyone, exact wherever it can be.
 
+#include <folk/analysis/crew/crew.h>
 #include <folk/analysis/play/pair_result.h>
 #include <folk/analysis/play/sampling.h>
 #include <folk/games/progress.h>
@@ -15,6 +16,9 @@
 #include <vector>
 
 namespace folk {
+
+class PairPlayer;
+class Unpacker;
 
 /// What is played, and how.
 struct TournamentSettings : Sampling {
@@ -97,13 +101,22 @@ public:
   std::uint64_t signature() const { return signature_; }
 
 private:
-  friend Tournament play_tournament(std::vector<Strategy>, std::size_t, const TournamentSettings&, const Progress&);
+  friend Tournament play_tournament(std::vector<Strategy>, std::size_t, const TournamentSettings&, const Progress&,
+                                    const Crew&);
 
   Tournament(std::vector<Strategy> roster, std::size_t core, const TournamentSettings& settings,
-             const Progress& progress);
+             const Progress& progress, const Crew& crew);
 
   void scale_payoffs();
-  void play_pairs(const Progress& progress);
+  using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+
+  void play_pairs(const Progress& progress, const Crew& crew);
+  void play_row_by_row(PairPlayer& player, const Progress& progress, const Crew& crew);
+  void play_together(const PairPlayer& player, const Pairs& pairs, const Progress& progress, const Crew& crew);
+  std::uint64_t identity(const PairPlayer& player, std::size_t part) const;
+  bool meet(std::size_t a, std::size_t b) const { return a != b || settings_.self_play || members_[b] > 1; }
+  void pack_pair(std::string& bytes, std::size_t a, std::size_t b) const;
+  void unpack_pair(Unpacker& bytes, std::size_t a, std::size_t b);
   void store(std::size_t a, std::size_t b, const PairResult& result);
   void store_row(std::size_t a, std::size_t b, const PairResult& result);
   void average_columns();
@@ -129,6 +142,7 @@ private:
   double largest_score_ = 0;               // of any pair, scaled
   std::vector<std::size_t> behaviour_of_;  // of each entrant
   std::size_t behaviours_ = 0;
+  std::vector<std::size_t> members_;  // entrants that have a behaviour
 
   // Figures of behaviour a against behaviour b, at a * behaviours_ + b.
   std::vector<double> scores_;  // scaled
@@ -149,11 +163,12 @@ private:
 
 /// Plays all pairs. The first `core` entrants are the roster proper, the rest are included entrants, who play like all
 /// others but do not count in the means that payoffs are normalised by. `progress` is told the finished share.
+/// `crew` shares the work; what is thought together goes in blocks, each to one of its ranks.
 /// Throws UsageError on an empty or repeated roster, a noise outside [0, 1], no repetition, scores beyond 2^53 or
 /// totals beyond 2^63 in units of the payoffs' last digit, and (with both names) a pair that neither closes nor ends
-/// within 10^8 rounds; Cancelled; and what the players throw.
+/// within 10^8 rounds; Cancelled; and what the players and the crew throw.
 Tournament play_tournament(std::vector<Strategy> roster, std::size_t core, const TournamentSettings& settings,
-                           const Progress& progress = nullptr);
+                           const Progress& progress = nullptr, const Crew& crew = one_process());
 
 /// The same, nobody being a guest.
 Tournament play_tournament(std::vector<Strategy> roster, const TournamentSettings& settings = {},

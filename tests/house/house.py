@@ -12,7 +12,7 @@ LIBRARIES = ["games", "strategies", "analysis", "sct", "mpe"]
 WINGS = {
     "games": [[""], ["stage_games"]],
     "strategies": [[""], ["programs"], ["standard"]],
-    "analysis": [["play"], ["tournament", "replies", "thresholds", "beliefs", "folk_theorem"], ["classes"],
+    "analysis": [["play"], ["crew"], ["tournament", "replies", "thresholds", "beliefs", "folk_theorem"], ["classes"],
                  ["evolution", "equilibria"], ["pictures"]],
     "sct": [["files"], ["network"], ["data"], ["policy"], ["training"]],
     "mpe": [["world"], ["network"], ["players"], ["evaluation"], ["online", "data", "pictures"], ["offline"], ["study"]],
@@ -22,7 +22,7 @@ WINGS = {
 }
 MOST_UNITS = 20  # of a folder; a unit is a header with its source
 # Folders that may include any library, but no other folder of this list except their own.
-LEAVES = ["tools", "tests", "bench", "examples"]
+LEAVES = ["tools", "mpi", "tests", "bench", "examples"]
 NAMELESS = {"util", "utils", "utility", "utilities", "common", "core", "misc", "helpers"}
 SOURCE_SUFFIXES = {".h", ".cpp"}
 
