@@ -4,6 +4,7 @@
 #include <folk/tools/ipd_evolve/evolution_output.h>
 #include <folk/tools/ipd_evolve/run_journal.h>
 #include <folk/tools/ipd_evolve/scores.h>
+#include <folk/tools/program/launch.h>
 #include <folk/tools/program/number_text.h>
 #include <folk/tools/program/output_folder.h>
 #include <folk/tools/program/progress.h>
@@ -184,7 +185,8 @@ int evolve_class(const MemoryClass& members, const po::variables_map& values, co
     throw UsageError(fmt::format("{} has {} members: populations take classes up to X + Y = 4", members.name(),
                                  members.size_text()));
   const Population start(std::size_t{1} << members.genes(), static_cast<double>(each));
-  const auto selection = std::make_shared<ClassSelection>(members, game.payoffs, criterion, start, threads);
+  const auto selection =
+      std::make_shared<ClassSelection>(members, game.payoffs, criterion, start, threads, nullptr, crew());
   Evolution evolution(selection, start);
   Signature what;
   what.add(members.name());
@@ -193,6 +195,7 @@ int evolve_class(const MemoryClass& members, const po::variables_map& values, co
   what.add(evolution.identity());
   const std::uint64_t identity = what.value();
   run_with_journal(evolution, generations, journal, identity, start.size(), common);
+  if (!crew().first()) return done;
   const ClassEvolution report{members, game, criterion, evolution, *selection, each, identity, common.command};
   if (folder) {
     write_file(*folder / "ranking.csv", [&](std::ostream& out) { write_csv(out, report); });

@@ -1,7 +1,7 @@
 #pragma once
 // The ecological competition of a complete class that is too large to be listed.
 
-#include <folk/tools/ipd_evolve/journal.h>
+#include <folk/tools/program/journal.h>
 #include <folk/tools/program/program.h>
 
 #include <folk/strategies/standard/memory_class.h>

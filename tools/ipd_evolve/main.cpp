@@ -4,12 +4,13 @@
 #include <folk/tools/ipd_evolve/class_evolution.h>
 #include <folk/tools/ipd_evolve/evolution_output.h>
 #include <folk/tools/ipd_evolve/fixation_output.h>
-#include <folk/tools/ipd_evolve/journal.h>
 #include <folk/tools/ipd_evolve/pictures.h>
 #include <folk/tools/ipd_evolve/question.h>
 #include <folk/tools/ipd_evolve/run_journal.h>
 #include <folk/tools/ipd_evolve/scores.h>
 #include <folk/tools/program/interruption.h>
+#include <folk/tools/program/journal.h>
+#include <folk/tools/program/launch.h>
 #include <folk/tools/program/output_folder.h>
 #include <folk/tools/program/program.h>
 #include <folk/tools/program/progress.h>
@@ -47,6 +48,7 @@ Program program() {
                       "ipd-evolve --strategies all_d,tit_for_tat --start all_d=90,tit_for_tat=10 --runs 1000",
                       "ipd-evolve --strategies all_c,all_d,tit_for_tat --stationary --individuals 20 --exact",
                       "ipd-evolve --model encounter --generations 1000000 --journal run.journal"};
+  program.shares_work = true;
   add_score_options(program.options);
   add_question_options(program.options);
   auto add = program.options.add_options();
@@ -84,6 +86,7 @@ void evolve(const Setting& setting, Journal& journal) {
   Evolution evolution(question.dynamics, question.start, seed);
   const auto identity = identity_with(*played.scores, evolution.identity());
   run_with_journal(evolution, question.generations, journal, identity, played.scores->size(), common);
+  if (!crew().first()) return;
   const EvolutionReport report{played, question, evolution, common.command};
   if (folder) write_evolution_files(*folder, report);
   if (folder && picture) draw_evolution(*folder, report, *picture);
@@ -120,7 +123,7 @@ void simulate(const Setting& setting, Journal& journal) {
                       {std::ref(bar), Interruption::requested}, [&] { journal.now_and_then(text); });
   } catch (const Cancelled&) {
     if (journal) journal.write(text());
-    interrupted(journal, fmt::format("{} runs", counts.runs));
+    end_interrupted(bool(journal), fmt::format("{} runs", counts.runs));
   }
   if (journal) journal.write(text());
   const RunsReport report{played, question, counts, seed, common.command};

@@ -1,5 +1,6 @@
 #include <folk/tools/ipd_evolve/run_journal.h>
 #include <folk/tools/program/interruption.h>
+#include <folk/tools/program/launch.h>
 #include <folk/tools/program/progress.h>
 
 #include <fmt/format.h>
@@ -17,16 +18,11 @@ Journal journal_option(const po::variables_map& values) {
                                               : std::nullopt);
 }
 
-void interrupted(const Journal& journal, const std::string& how_far) {
-  throw EnvironmentError(journal
-                             ? fmt::format("interrupted after {}; the same command goes on from there", how_far)
-                             : fmt::format("interrupted after {}; nothing is kept without --journal FILE", how_far));
-}
-
 void run_with_journal(Evolution& evolution, std::uint64_t generations, Journal& journal, std::uint64_t identity,
                       std::size_t strategies, const Common& common) {
-  if (const auto text = journal.read()) {
-    evolution.restore(read_evolution_journal(*text, journal.name(), identity, strategies));
+  // What rank 0 has read, all go on from.
+  if (const std::string text = crew().tell(journal.read().value_or("")); !text.empty()) {
+    evolution.restore(read_evolution_journal(text, journal.name(), identity, strategies));
     if (evolution.state().generation > generations)
       throw UsageError(
           fmt::format("--journal {}: it is at generation {}, beyond --generations {}: ask for more, or "
@@ -41,7 +37,7 @@ void run_with_journal(Evolution& evolution, std::uint64_t generations, Journal& 
     evolution.run(generations, {std::ref(bar), Interruption::requested}, [&] { journal.now_and_then(text); });
   } catch (const Cancelled&) {
     if (journal) journal.write(text());
-    interrupted(journal, fmt::format("generation {}", evolution.state().generation));
+    end_interrupted(bool(journal), fmt::format("generation {}", evolution.state().generation));
   }
   if (journal) journal.write(text());
 }

@@ -1,13 +1,12 @@
 #pragma once
 // An evolution that is run with a journal.
 
-#include <folk/tools/ipd_evolve/journal.h>
+#include <folk/tools/program/journal.h>
 #include <folk/tools/program/program.h>
 
 #include <folk/analysis/evolution/evolution.h>
 
 #include <cstdint>
-#include <string>
 
 namespace folk::tools {
 
@@ -18,8 +17,4 @@ Journal journal_option(const po::variables_map& values);
 /// further, EnvironmentError when it was interrupted, InputFileError for a journal of other work.
 void run_with_journal(Evolution& evolution, std::uint64_t generations, Journal& journal, std::uint64_t identity,
                       std::size_t strategies, const Common& common);
-
-/// The end of work that SIGINT or SIGTERM asked for.
-[[noreturn]] void interrupted(const Journal& journal, const std::string& how_far);
-
 }  // namespace folk::tools

@@ -5,6 +5,7 @@
 #include <folk/tools/choices/game_option.h>
 #include <folk/tools/choices/play_options.h>
 #include <folk/tools/choices/roster_option.h>
+#include <folk/tools/program/launch.h>
 #include <folk/tools/program/number_text.h>
 #include <folk/tools/program/progress.h>
 
@@ -90,7 +91,7 @@ PlayedScores chosen_scores(const po::variables_map& values, const Common& common
   auto [entrants, core] = chosen_field(values, game.payoffs);
   note_unusual_payoffs(game, common);
   ProgressBar bar(fmt::format("playing {} strategies", entrants.size()), !common.quiet);
-  return played(play_tournament(std::move(entrants), core, settings, std::ref(bar)), game, values);
+  return played(play_tournament(std::move(entrants), core, settings, std::ref(bar), crew()), game, values);
 }
 
 }  // namespace folk::tools

@@ -5,7 +5,9 @@
 #include <folk/tools/choices/whole_class.h>
 #include <folk/tools/ipd_tournament/class_output.h>
 #include <folk/tools/ipd_tournament/classes.h>
+#include <folk/tools/program/launch.h>
 #include <folk/tools/program/output_folder.h>
+#include <folk/tools/program/piece_file.h>
 #include <folk/tools/program/progress.h>
 #include <folk/tools/program/threads_option.h>
 
@@ -57,14 +59,18 @@ int rank_class(const MemoryClass& members, const po::variables_map& values, cons
   settings.threads = threads_option(values, common);
   const auto folder = output_folder(values);
   note_unusual_payoffs(game, common);
-  std::optional<ProgressBar> bar(std::in_place, fmt::format("ranking {} strategies", members.size_text()),
-                                 !common.quiet);
-  const Progress progress(std::ref(*bar));
   const bool by_behaviour = values.count("by-behaviour") != 0;
-  const ClassTournament tournament = play_class(members, settings, progress.part(0, by_behaviour ? 0.5 : 1));
+  std::optional<ClassTournament> ranked;
   ClassLabels labels{game.title, common.command};
-  if (by_behaviour) labels.behaviours = behaviours_of(members, settings.threads, progress.part(0.5, 1));
-  bar.reset();
+  run_kept(values, [&](const auto& ended) {
+    ProgressBar bar(fmt::format("ranking {} strategies", members.size_text()), !common.quiet);
+    const Progress progress(std::ref(bar), ended);
+    ranked = play_class(members, settings, progress.part(0, by_behaviour ? 0.5 : 1), crew());
+    if (by_behaviour && crew().first())
+      labels.behaviours = behaviours_of(members, settings.threads, progress.part(0.5, 1));
+  });
+  if (!crew().first()) return done;
+  const ClassTournament& tournament = *ranked;
   if (folder) write_class_files(*folder, tournament, labels);
   switch (common.format) {
     case Format::text: write_class_text(std::cout, tournament, labels); break;
@@ -102,26 +108,27 @@ int score_entrants(const po::variables_map& values, const Common& common) {
                                    excerpt(entrant.name)));
   const auto folder = output_folder(values);
   note_unusual_payoffs(game, common);
-  std::optional<ProgressBar> bar(
-      std::in_place, fmt::format("{} strategies against {}", entrants.size(), members->name()), !common.quiet);
-  const Progress progress(std::ref(*bar));
-  const auto all = static_cast<double>(entrants.size());
-  for (std::size_t i = 0; i < entrants.size(); ++i) {
-    const Progress part = progress.part(static_cast<double>(i) / all, static_cast<double>(i + 1) / all);
-    try {
-      scores.entrants.push_back(
-          {entrants[i].name, score_against(*members, *entrants[i].machine, scores.settings, part)});
-    } catch (const TooManyKinds& error) {
-      scores.left_out.emplace_back(entrants[i].name, error.what());
-    } catch (const UsageError& error) {
-      throw UsageError(fmt::format("{}: {}", excerpt(entrants[i].name), error.what()));
+  run_kept(values, [&](const auto& ended) {
+    ProgressBar bar(fmt::format("{} strategies against {}", entrants.size(), members->name()), !common.quiet);
+    const Progress progress(std::ref(bar), ended);
+    const auto all = static_cast<double>(entrants.size());
+    for (std::size_t i = 0; i < entrants.size(); ++i) {
+      const Progress part = progress.part(static_cast<double>(i) / all, static_cast<double>(i + 1) / all);
+      try {
+        scores.entrants.push_back(
+            {entrants[i].name, score_against(*members, *entrants[i].machine, scores.settings, part, crew())});
+      } catch (const TooManyKinds& error) {
+        scores.left_out.emplace_back(entrants[i].name, error.what());
+      } catch (const UsageError& error) {
+        throw UsageError(fmt::format("{}: {}", excerpt(entrants[i].name), error.what()));
+      }
     }
-  }
-  bar.reset();
+  });
   if (scores.entrants.empty())
     throw TooManyKinds(fmt::format("{}: {}", excerpt(scores.left_out[0].first), scores.left_out[0].second));
   std::stable_sort(scores.entrants.begin(), scores.entrants.end(),
                    [](const auto& a, const auto& b) { return a.score.mean > b.score.mean; });
+  if (!crew().first()) return done;
   const ClassLabels labels{game.title, common.command};
   if (folder) write_scores_files(*folder, scores, labels);
   switch (common.format) {

@@ -8,8 +8,10 @@
 #include <folk/tools/ipd_tournament/output.h>
 #include <folk/tools/ipd_tournament/pictures.h>
 #include <folk/tools/ipd_tournament/sub_roster_output.h>
+#include <folk/tools/program/launch.h>
 #include <folk/tools/program/output_folder.h>
 #include <folk/tools/program/picture_option.h>
+#include <folk/tools/program/piece_file.h>
 #include <folk/tools/program/program.h>
 #include <folk/tools/program/progress.h>
 #include <folk/tools/program/threads_option.h>
@@ -43,7 +45,9 @@ Program program() {
                       "ipd-tournament --strategies 'memory(1,2)' --rounds 1000 --format csv",
                       "ipd-tournament --strategies 'memory(2,2)' --rounds 1000 --output results",
                       "ipd-tournament --class 'memory(3,3)' --entrants tit_for_tat,pavlov,winner12",
-                      "ipd-tournament --criterion discounted:0.9 --payoffs T=4,R=3,P=1,S=0 --format json"};
+                      "ipd-tournament --criterion discounted:0.9 --payoffs T=4,R=3,P=1,S=0 --format json",
+                      "mpirun -n 4 ipd-tournament --strategies 'memory(2,2)' --rounds 1000 --journal run.journal"};
+  program.shares_work = true;
   auto add = program.options.add_options();
   const auto text = [] { return po::value<std::string>(); };
   add("strategies", text()->default_value("classics"), "the roster: SPEC");
@@ -65,6 +69,7 @@ Program program() {
   add("repetitions", text(), "matches of a pair that can only be sampled (default 100)");
   add("seed", text(), "of all random numbers (default 1)");
   add("threads", text(), "threads (default: one a processor); the results do not depend on it");
+  add("journal", text(), "file to which finished work is added: after a kill the same command goes on from it");
   add("output", text(),
       "folder for ranking.csv, scores.csv, cooperation.csv, pairs.csv, summary.json, and beliefs.csv, invasion.csv, "
       "sub_rosters.csv where there are any");
@@ -138,17 +143,20 @@ int tournament(const po::variables_map& values, const Common& common) {
   const auto folder = output_folder(values);
   note_unusual_payoffs(game, common);
 
-  std::optional<ProgressBar> bar(std::in_place, fmt::format("playing {} strategies", entrants.size()), !common.quiet);
-  const Progress progress(std::ref(*bar));
-  const Tournament result =
-      play_tournament(std::move(entrants), core, settings, progress.part(0, sub_roster_settings ? 0.5 : 1));
+  std::optional<Tournament> played;
   std::optional<SubRosters> sub_rosters;
-  if (sub_roster_settings) {
+  run_kept(values, [&](const auto& ended) {
+    ProgressBar bar(fmt::format("playing {} strategies", entrants.size()), !common.quiet);
+    const Progress progress(std::ref(bar), ended);
+    played =
+        play_tournament(std::move(entrants), core, settings, progress.part(0, sub_roster_settings ? 0.5 : 1), crew());
+    if (!sub_roster_settings || !crew().first()) return;
     sub_roster_settings->seed = settings.seed;
     sub_roster_settings->threads = settings.threads;
-    sub_rosters = rank_sub_rosters(result, *sub_roster_settings, progress.part(0.5, 1));
-  }
-  bar.reset();
+    sub_rosters = rank_sub_rosters(*played, *sub_roster_settings, progress.part(0.5, 1));
+  });
+  if (!crew().first()) return done;
+  const Tournament& result = *played;
 
   const TournamentLabels labels{text_option(values, "strategies"), text_option(values, "include"), game.title,
                                 common.command};

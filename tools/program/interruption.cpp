@@ -1,5 +1,8 @@
 #include <folk/tools/program/interruption.h>
 
+#include <fmt/format.h>
+#include <folk/games/error.h>
+
 #include <csignal>
 #include <initializer_list>
 
@@ -32,5 +35,11 @@ Interruption::~Interruption() {
 }
 
 bool Interruption::requested() { return flag != 0; }
+
+void end_interrupted(bool kept, const std::string& how_far) {
+  throw EnvironmentError(
+      fmt::format("interrupted after {}; {}", how_far,
+                  kept ? "the same command goes on from there" : "nothing is kept without --journal FILE"));
+}
 
 }  // namespace folk::tools

@@ -1,5 +1,6 @@
-#include <folk/tools/ipd_evolve/journal.h>
+#include <folk/tools/program/journal.h>
 
+#include <folk/tools/program/launch.h>
 #include <folk/tools/program/output_file.h>
 
 #include <folk/analysis/evolution/evolution_journal.h>
@@ -18,6 +19,7 @@ constexpr auto first_pause = std::chrono::milliseconds(200);
 Journal::Journal(std::optional<std::filesystem::path> path)
     : path_(std::move(path)),
       next_(Clock::now() + first_pause) {
+  if (!speaks()) path_.reset();
   if (path_) require_writable(*path_, "--journal");
 }
 

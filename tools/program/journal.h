@@ -11,7 +11,8 @@ namespace folk::tools {
 
 class Journal {
 public:
-  /// Nothing is kept without a path. Throws EnvironmentError where the file cannot be written.
+  /// Nothing is kept without a path, nor on ranks that do not write (launch.h). Throws EnvironmentError where the file
+  /// cannot be written.
   explicit Journal(std::optional<std::filesystem::path> path);
 
   /// What an earlier run left. Throws InputFileError where it cannot be read.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <folk/games/error.h>
 #include <folk/sct/files/made_folder.h>
+#include <folk/tools/program/launch.h>
 
 #include <cerrno>
 #include <cstring>
@@ -19,7 +20,7 @@ void make_folder(const std::filesystem::path& folder, std::error_code& error) {
 }
 
 std::optional<std::filesystem::path> output_folder(const po::variables_map& values) {
-  if (values.count("output") == 0) return std::nullopt;
+  if (values.count("output") == 0 || !speaks()) return std::nullopt;
   std::filesystem::path folder = text_option(values, "output");
   std::error_code error, ignored;
   make_folder(folder, error);

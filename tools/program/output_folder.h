@@ -13,8 +13,8 @@ namespace folk::tools {
 /// what was refused leaves nothing behind.
 void make_folder(const std::filesystem::path& folder, std::error_code& error);
 
-/// The folder of --output, made where it is missing before anything is computed: what cannot be written should not be
-/// waited for. Throws EnvironmentError when it cannot be made or written.
+/// The folder of --output, on the rank that writes (launch.h); made where it is missing before anything is computed:
+/// what cannot be written should not be waited for. Throws EnvironmentError when it cannot be made or written.
 std::optional<std::filesystem::path> output_folder(const po::variables_map& values);
 
 }  // namespace folk::tools

@@ -7,6 +7,7 @@
 #include <folk/games/utf8.h>
 #include <folk/strategies/names.h>
 #include <folk/strategies/nearest_names.h>
+#include <folk/tools/program/launch.h>
 #include <folk/tools/program/value_names.h>
 
 #include <algorithm>
@@ -134,11 +135,11 @@ int run_parsed(const Program& program, const std::string& command, const po::var
                const std::vector<std::string>& formats,
                const std::function<int(const po::variables_map&, const Common&)>& body) {
   if (values.count("help") != 0) {
-    std::cout << help_text(program);
+    if (speaks()) std::cout << help_text(program);
     return done;
   }
   if (values.count("version") != 0) {
-    std::cout << version_text(program.name);
+    if (speaks()) std::cout << version_text(program.name);
     return done;
   }
   Common common;
@@ -151,35 +152,14 @@ int run_parsed(const Program& program, const std::string& command, const po::var
       throw UsageError(fmt::format("--format '{}': expected {}", excerpt(name), fmt::join(formats, ", ")));
     common.format = format_named(name);
   }
+  join_ranks(command);
   return body(values, common);
 }
 
-}  // namespace
-
-int run(int argc, char** argv, Program program, const std::vector<std::string>& formats,
-        const std::function<int(const po::variables_map&, const Common&)>& body) {
-  // A reader that goes away (| head), a dead player, a limit of file sizes show as a failed write, not as a signal.
-  for (const int number : {SIGPIPE, SIGXFSZ}) std::signal(number, SIG_IGN);
-  open_standard_streams();
-  if (!stack_is_large_enough())
-    return complain(program, "the limit of the stack is too low to work with; raise it: ulimit -s 1024", failed);
-  std::ios::sync_with_stdio(false);
+/// Says what was thrown, and which exit code that is.
+int complain_about(const std::exception_ptr& failure, const Program& program) {
   try {
-    auto add = program.options.add_options();
-    if (!formats.empty()) {
-      const std::string text = fmt::format("how the result is printed: {}", fmt::join(formats, ", "));
-      add("format", po::value<std::string>()->default_value(formats.front()), text.c_str());
-    }
-    add("quiet", "no banner, no progress, no warnings on stderr");
-    add("help,h", "this text");
-    add("version,V", "version and build");
-    name_values(program.name, program.options);
-    const int code =
-        run_parsed(program, command_line(program.name, argc, argv), parse(argc, argv, program), formats, body);
-    std::cout.flush();
-    if (const int reason = errno; !std::cout && reason != EPIPE)
-      return complain(program, fmt::format("standard output cannot be written: {}", std::strerror(reason)), failed);
-    return code;
+    std::rethrow_exception(failure);
   } catch (const po::unknown_option& error) {
     return complain(program, unknown_option_text(error, program), wrong_usage);
   } catch (const po::error& error) {
@@ -198,11 +178,46 @@ int run(int argc, char** argv, Program program, const std::vector<std::string>& 
   }
 }
 
+}  // namespace
+
+int run(int argc, char** argv, Program program, const std::vector<std::string>& formats,
+        const std::function<int(const po::variables_map&, const Common&)>& body) {
+  // A reader that goes away (| head), a dead player, a limit of file sizes show as a failed write, not as a signal.
+  for (const int number : {SIGPIPE, SIGXFSZ}) std::signal(number, SIG_IGN);
+  open_standard_streams();
+  if (!stack_is_large_enough())
+    return complain(program, "the limit of the stack is too low to work with; raise it: ulimit -s 1024", failed);
+  std::ios::sync_with_stdio(false);
+  if (program.shares_work) share_work();
+  int code = failed;
+  std::exception_ptr failure;
+  try {
+    auto add = program.options.add_options();
+    if (!formats.empty()) {
+      const std::string text = fmt::format("how the result is printed: {}", fmt::join(formats, ", "));
+      add("format", po::value<std::string>()->default_value(formats.front()), text.c_str());
+    }
+    add("quiet", "no banner, no progress, no warnings on stderr");
+    add("help,h", "this text");
+    add("version,V", "version and build");
+    name_values(program.name, program.options);
+    code = run_parsed(program, command_line(program.name, argc, argv), parse(argc, argv, program), formats, body);
+    std::cout.flush();
+    if (const int reason = errno; !std::cout && reason != EPIPE)
+      code = complain(program, fmt::format("standard output cannot be written: {}", std::strerror(reason)), failed);
+  } catch (...) {
+    failure = std::current_exception();
+    code = complain_about(failure, program);
+  }
+  return leave_ranks(code, failure);
+}
+
 void Common::note(std::string_view message) const {
   if (!quiet) say(program, message);
 }
 
 void say(std::string_view program, std::string_view message) {
+  if (!speaks()) return;
   std::string text(message);
   std::replace(text.begin(), text.end(), '\n', ' ');
   const std::string line = fmt::format("{}: {}\n", program, visible_text(text));

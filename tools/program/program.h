@@ -21,6 +21,7 @@ struct Program {
   po::options_description options{"Options"};
   po::options_description arguments{};  ///< what the positional names below stand for; not in the help text
   po::positional_options_description positional{};
+  bool shares_work = false;  ///< where a launcher of MPI started several ranks of it, they do its work together
 };
 
 /// How a result is printed on stdout.
@@ -46,7 +47,7 @@ enum ExitCode { done = 0, claim_fails = 1, wrong_usage = 2, bad_input_file = 3, 
 int run(int argc, char** argv, Program program, const std::vector<std::string>& formats,
         const std::function<int(const po::variables_map&, const Common&)>& body);
 
-/// One line on stderr, the program's name first.
+/// One line on stderr, the program's name first; of several ranks one says it.
 void say(std::string_view program, std::string_view message);
 
 /// The text value of an option that may be given once, or `fallback`.

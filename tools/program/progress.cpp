@@ -1,3 +1,4 @@
+#include <folk/tools/program/launch.h>
 #include <folk/tools/program/progress.h>
 
 #include <fmt/format.h>
@@ -44,7 +45,7 @@ std::string progress_line(const std::string& what, double fraction, std::optiona
 
 ProgressBar::ProgressBar(std::string what, bool enabled)
     : what_(std::move(what)),
-      shows_(enabled && ::isatty(STDERR_FILENO) == 1) {}
+      shows_(enabled && speaks() && ::isatty(STDERR_FILENO) == 1) {}
 
 ProgressBar::~ProgressBar() {
   if (drawn_) show("\r\x1b[K");

@@ -1,3 +1,4 @@
+#include <folk/tools/program/launch.h>
 #include <folk/tools/program/standard_input.h>
 
 #include <fmt/format.h>
@@ -9,6 +10,9 @@
 namespace folk::tools {
 
 std::string read_standard_input(std::string_view asked_by) {
+  if (crew().ranks() > 1)
+    throw UsageError(
+        fmt::format("{}: a launcher gives the standard input to one rank of several; name a file", asked_by));
   static std::string reader;
   if (!reader.empty())
     throw UsageError(fmt::format("{}: the standard input can be read once, and {} has read it; name a file", asked_by,

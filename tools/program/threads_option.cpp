@@ -1,4 +1,5 @@
 #include <folk/analysis/play/parallel.h>
+#include <folk/tools/program/launch.h>
 #include <folk/tools/program/threads_option.h>
 
 #include <fmt/format.h>
@@ -6,6 +7,8 @@
 #include <algorithm>
 #include <latch>
 #include <thread>
+
+#include <unistd.h>
 
 namespace folk::tools {
 namespace {
@@ -19,11 +22,18 @@ unsigned startable(unsigned wanted) {
   return static_cast<unsigned>(others.size()) + 1;
 }
 
+/// One a processor that this process may use. Ranks that may use all of a machine divide them.
+unsigned usual_threads() {
+  const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
+  const long all = ::sysconf(_SC_NPROCESSORS_ONLN);
+  if (all > 0 && processors < static_cast<unsigned long>(all)) return processors;  // the launcher has divided them
+  return std::max(1U, processors / static_cast<unsigned>(ranks_here()));
+}
+
 }  // namespace
 
 unsigned threads_option(const po::variables_map& values, const Common& common) {
-  const auto wanted =
-      static_cast<unsigned>(whole_option(values, "threads", std::max(1U, std::thread::hardware_concurrency()), 1, 256));
+  const auto wanted = static_cast<unsigned>(whole_option(values, "threads", std::min(256U, usual_threads()), 1, 256));
   const unsigned there = startable(wanted);
   if (there < wanted)
     common.note(
