@@ -1,10 +1,9 @@
 #pragma once
 // How one strategy does against a complete class, without listing it.
 
+#include <folk/analysis/classes/class_score_settings.h>
 #include <folk/analysis/crew/crew.h>
-#include <folk/games/error.h>
 #include <folk/games/integer.h>
-#include <folk/games/match_rules.h>
 #include <folk/games/progress.h>
 #include <folk/games/rational.h>
 #include <folk/strategies/machine.h>
@@ -15,21 +14,6 @@
 #include <string>
 
 namespace folk {
-
-/// A walk through a class told more kinds of opponents apart than it may.
-class TooManyKinds : public UsageError {
-public:
-  using UsageError::UsageError;
-};
-
-/// What an entrant is scored for.
-struct ClassScoreSettings {
-  Payoffs payoffs;
-  Criterion criterion = Criterion::finite(100);
-  unsigned threads = 1;  ///< the results do not depend on it
-  /// A walk with more leaves is given up. A leaf is what the opponents that answer alike have in common.
-  std::uint64_t most_leaves = 200'000'000;
-};
 
 /// A member of the class that stands out.
 struct StandingOut {

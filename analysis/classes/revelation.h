@@ -1,7 +1,7 @@
 #pragma once
 // All matches of one machine with the members of a class, whose genes are revealed one by one as play asks for them.
 
-#include <folk/analysis/classes/class_score.h>
+#include <folk/analysis/classes/class_score_settings.h>
 #include <folk/analysis/crew/packing.h>
 #include <folk/analysis/play/cycle_table.h>
 #include <folk/analysis/play/whole_payoffs.h>

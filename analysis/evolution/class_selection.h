@@ -26,6 +26,7 @@ public:
   double cooperation(const Population& now) const;
 
   const MemoryClass& members() const { return incomes_.members(); }
+  const Behaviours& behaviours() const { return behaviours_; }
 
 private:
   /// The behaviours that are alive: each by a member that has it, how many individuals there are of it, and what each

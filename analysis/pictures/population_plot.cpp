@@ -116,6 +116,9 @@ std::string legend(const Layout& layout, PictureFormat format) {
                      text_font);
 }
 
+/// Numbers beside the axis; millions as 2.5M, for which there is room.
+std::string_view tics_format(bool shares, double most) { return shares ? "%g" : most < 1e6 ? "%.0f" : "%.1s%c"; }
+
 std::string others_name(std::size_t count) { return fmt::format("{} other{}", count, count == 1 ? "" : "s"); }
 
 /// What the rows of both pictures share.
@@ -151,7 +154,7 @@ std::string population_lines_script(const PopulationPlot& plot, PictureFormat fo
       way_axes(way.layout, plot.shares ? "share" : "individuals", way.logarithmic, plot.rows.back().generation) +
       legend(way.layout, format);
   text += fmt::format("set logscale y\nset yrange [{}:{}]\nset ytics format '{}'\n", least * 0.8,
-                      std::max(most * 1.3, least * 2), plot.shares ? "%g" : "%.0f");
+                      std::max(most * 1.3, least * 2), tics_format(plot.shares, most));
   std::vector<std::size_t> drawn = way.chosen.others;
   if (drawn.size() > most_grey_lines) drawn.resize(most_grey_lines);
   const std::size_t in_grey = drawn.size();
@@ -204,7 +207,7 @@ std::string population_stack_script(const PopulationPlot& plot, PictureFormat fo
       way_axes(way.layout, plot.shares ? "share" : "individuals", way.logarithmic, plot.rows.back().generation) +
       legend(way.layout, format);
   text += fmt::format("set yrange [0:{}]\nset ytics format '{}'\n$WAY << END_OF_WAY\n{}END_OF_WAY\n",
-                      most > 0 ? most : 1, plot.shares ? "%g" : "%.0f", fmt::to_string(data));
+                      most > 0 ? most : 1, tics_format(plot.shares, most), fmt::to_string(data));
   std::vector<std::string> layers;
   const std::size_t count = way.chosen.coloured.size();
   const auto area = [](std::size_t column, std::string_view colour, const std::string& title) {

@@ -12,23 +12,23 @@ namespace folk {
 
 Automaton MemoryOne::machine() const { return memory_one(opening == Move::C ? 1 : 0, after); }
 
-Population::Population(std::vector<PopulationMember> members, const MatchRules& rules)
+WeightedOpponents::WeightedOpponents(std::vector<WeightedOpponent> members, const MatchRules& rules)
     : members_(std::move(members)),
       rules_(rules),
       numbers_(rules.payoffs.numbers()) {
   if (members_.empty()) throw UsageError("a population of nobody has no best reply");
   double total = 0;
-  for (const PopulationMember& member : members_) {
+  for (const WeightedOpponent& member : members_) {
     if (!(member.weight > 0 && std::isfinite(member.weight)))
       throw UsageError(fmt::format("weight {} of an opponent: expected a positive number", member.weight));
     total += member.weight;
   }
-  for (PopulationMember& member : members_) member.weight /= total;
+  for (WeightedOpponent& member : members_) member.weight /= total;
   // A strategy that mixes after every outcome reaches all joint states that any does.
   for (std::size_t i = 0; i < size(); ++i) payoff(memory_one(0.5, {0.5, 0.5, 0.5, 0.5}), i);
 }
 
-double Population::payoff(const Automaton& strategy, std::size_t member) const {
+double WeightedOpponents::payoff(const Automaton& strategy, std::size_t member) const {
   const auto pair = play_markov(strategy, members_[member].machine, rules_.noise, rules_.criterion);
   if (!pair)
     throw UsageError(fmt::format("an opponent of {} states is too large for a search under {}",
@@ -38,11 +38,11 @@ double Population::payoff(const Automaton& strategy, std::size_t member) const {
   return sum;
 }
 
-double Population::payoff(const MemoryOne& strategy, std::size_t member) const {
+double WeightedOpponents::payoff(const MemoryOne& strategy, std::size_t member) const {
   return payoff(strategy.machine(), member);
 }
 
-double Population::payoff(const MemoryOne& strategy) const {
+double WeightedOpponents::payoff(const MemoryOne& strategy) const {
   const Automaton machine = strategy.machine();
   double sum = 0;
   for (std::size_t i = 0; i < size(); ++i) sum += members_[i].weight * payoff(machine, i);

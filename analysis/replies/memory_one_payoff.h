@@ -21,22 +21,22 @@ struct MemoryOne {
 };
 
 /// A machine and how often it is met.
-struct PopulationMember {
+struct WeightedOpponent {
   Automaton machine;
   double weight = 1;
 };
 
 /// Known opponents, one of which is met in each match.
-class Population {
+class WeightedOpponents {
 public:
   /// Weights are scaled to add up to 1. Machines without end come as tables that are right as long as the criterion
   /// lasts (table_for of analysis/play/criterion_table.h), with noise in the sense any_own_moves.
   /// Throws UsageError when nobody is in it, a weight is not positive or a machine is too
   /// large for its Markov chain to be solved many times.
-  Population(std::vector<PopulationMember> members, const MatchRules& rules);
+  WeightedOpponents(std::vector<WeightedOpponent> members, const MatchRules& rules);
 
   std::size_t size() const { return members_.size(); }
-  const PopulationMember& member(std::size_t i) const { return members_[i]; }
+  const WeightedOpponent& member(std::size_t i) const { return members_[i]; }
   const MatchRules& rules() const { return rules_; }
 
   /// What the strategy earns against one member, in the criterion's unit: from the pair's Markov chain, exact up to
@@ -49,7 +49,7 @@ public:
 private:
   double payoff(const Automaton& strategy, std::size_t member) const;
 
-  std::vector<PopulationMember> members_;
+  std::vector<WeightedOpponent> members_;
   MatchRules rules_;
   std::array<double, 4> numbers_;  // the payoffs
 };

@@ -66,7 +66,7 @@ BoxOptimum better(BoxOptimum first, BoxOptimum second) {
 }
 
 /// The best point inside a face. A vertex is its own.
-BoxOptimum search_face(const Population& population, const Face& face, std::size_t points) {
+BoxOptimum search_face(const WeightedOpponents& population, const Face& face, std::size_t points) {
   const std::size_t size = face.free.size();
   if (size == 0) return {{}, population.payoff(face.fixed), 1, true};
   const auto payoff = [&](const std::vector<double>& point) { return population.payoff(face.at(point)); };
@@ -90,7 +90,7 @@ BoxOptimum search_face(const Population& population, const Face& face, std::size
 }
 
 /// By how much the payoff rises along one coordinate: along its log-odds, from 0 or 1 inwards as far as it does.
-double ascent(const Population& population, const MemoryOne& at, std::size_t coordinate) {
+double ascent(const WeightedOpponents& population, const MemoryOne& at, std::size_t coordinate) {
   const double here = at.after[coordinate];
   const auto payoff = [&](double there) {
     MemoryOne moved = at;
@@ -107,10 +107,10 @@ double ascent(const Population& population, const MemoryOne& at, std::size_t coo
 }
 
 /// What best replies earn that know whom they meet.
-void compare_with_all_strategies(const Population& population, SearchCertificate& certificate,
+void compare_with_all_strategies(const WeightedOpponents& population, SearchCertificate& certificate,
                                  const Progress& progress) {
   for (std::size_t i = 0; i < population.size(); ++i) {
-    const PopulationMember& member = population.member(i);
+    const WeightedOpponent& member = population.member(i);
     const BestReply reply = best_reply(member.machine, population.rules());
     certificate.unrestricted += member.weight * reply.payoff;
     certificate.residual += member.weight * reply.residual;
@@ -128,7 +128,8 @@ std::size_t best_of(const std::vector<BoxOptimum>& found, std::size_t begin, std
 
 }  // namespace
 
-MemoryOneReply memory_one_reply(const Population& population, const MemoryOneSearch& search, const Progress& progress) {
+MemoryOneReply memory_one_reply(const WeightedOpponents& population, const MemoryOneSearch& search,
+                                const Progress& progress) {
   const std::vector<Face> all = faces();
   constexpr std::size_t vertices = 32;
   std::vector<BoxOptimum> found(all.size());

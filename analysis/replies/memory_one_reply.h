@@ -58,7 +58,7 @@ inline constexpr double open_end = 1e-9;
 /// (analysis/replies/best_reply.h): against one opponent the exact optimum among all strategies, against several an
 /// upper bound. `progress` is told the finished share. Throws UsageError when that cannot be had, as best_reply does,
 /// and Cancelled.
-MemoryOneReply memory_one_reply(const Population& population, const MemoryOneSearch& search = {},
+MemoryOneReply memory_one_reply(const WeightedOpponents& population, const MemoryOneSearch& search = {},
                                 const Progress& progress = nullptr);
 
 }  // namespace folk

@@ -2,6 +2,7 @@
 #include <folk/tools/choices/game_option.h>
 #include <folk/tools/ipd_evolve/class_evolution.h>
 #include <folk/tools/ipd_evolve/evolution_output.h>
+#include <folk/tools/ipd_evolve/pictures.h>
 #include <folk/tools/ipd_evolve/run_journal.h>
 #include <folk/tools/ipd_evolve/scores.h>
 #include <folk/tools/program/launch.h>
@@ -14,11 +15,14 @@
 #include <fmt/format.h>
 #include <folk/analysis/evolution/class_selection.h>
 #include <folk/analysis/evolution/evolution.h>
+#include <folk/analysis/evolution/leading_behaviours.h>
+#include <folk/analysis/pictures/population_plot.h>
 #include <folk/analysis/play/signature.h>
 #include <folk/games/error.h>
 #include <folk/games/text_file.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <iterator>
@@ -156,9 +160,28 @@ void write_json(std::ostream& out, const ClassEvolution& report, bool as_file) {
   out << "\n  ]\n}\n";
 }
 
+/// populations and stack: the behaviours that are most numerous in the end, and all others as one.
+void draw_class(const std::filesystem::path& folder, const ClassEvolution& report,
+                const std::shared_ptr<const ClassSelection>& selection, const Population& start,
+                const std::string& extension, const Common& common) {
+  ProgressBar bar("evolving again, for the pictures", !common.quiet);
+  const LeadingBehaviours leading =
+      leading_behaviours(selection, start, report.evolution.state(), most_coloured - 1, std::ref(bar));
+  PopulationPlot plot;
+  for (const std::uint32_t member : leading.members) plot.names.push_back(report.name(member));
+  plot.names.push_back(fmt::format("{} other behaviours", leading.others));
+  plot.ranking.resize(plot.names.size());
+  std::iota(plot.ranking.begin(), plot.ranking.end(), std::size_t{0});
+  plot.rows = leading.rows;
+  plot.title = fmt::format("{}: {}, by behaviour", report.members.name(), selection->text());
+  plot.caption = {game_words(report.game.title, report.game.payoffs), report.criterion.to_string()};
+  draw_lines(plot, folder / ("populations." + extension));
+  draw_stack(plot, folder / ("stack." + extension));
+}
+
 void refuse_what_needs_a_roster(const po::variables_map& values, const MemoryClass& members) {
   for (const char* name : {"include", "exclude", "repetitions", "tournament", "start", "individuals", "runs",
-                           "fixation", "stationary", "exact", "plot", "sample", "extrapolate"})
+                           "fixation", "stationary", "exact", "sample", "extrapolate"})
     if (values.count(name) != 0)
       throw UsageError(fmt::format("--{} does not go with all of {}: it is for rosters of up to {} strategies", name,
                                    members.name(), MemoryClass::most_listed));
@@ -178,6 +201,7 @@ int evolve_class(const MemoryClass& members, const po::variables_map& values, co
   const auto each = whole_option(values, "population", 100, 1, static_cast<std::uint64_t>(most_individuals));
   const auto generations = whole_option(values, "generations", 1000, 0, 1'000'000'000'000'000);
   const unsigned threads = threads_option(values, common);
+  const auto picture = chosen_picture(values);
   const auto folder = output_folder(values);
   Journal journal = journal_option(values);
   note_unusual_payoffs(game, common);
@@ -201,6 +225,7 @@ int evolve_class(const MemoryClass& members, const po::variables_map& values, co
     write_file(*folder / "ranking.csv", [&](std::ostream& out) { write_csv(out, report); });
     write_file(*folder / "generations.csv", [&](std::ostream& out) { write_generations_csv(out, report); });
     write_file(*folder / "summary.json", [&](std::ostream& out) { write_json(out, report, true); });
+    if (picture) draw_class(*folder, report, selection, start, *picture, common);
   }
   switch (common.format) {
     case Format::text: write_text(std::cout, report); break;

@@ -63,12 +63,6 @@ std::string extinct_text(const PopulationRank& entry) {
 
 }  // namespace
 
-std::string number_text(double number) {
-  if (number == std::floor(number) && std::abs(number) < 0x1p63)
-    return fmt::format("{}", static_cast<long long>(number));
-  return fmt::format("{}", number);
-}
-
 std::optional<double> EvolutionReport::cooperation(const Population& population) const {
   return population_cooperation(*played.scores, population, question.dynamics->has_shares() || question.meets_itself);
 }

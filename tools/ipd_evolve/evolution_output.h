@@ -39,7 +39,4 @@ std::vector<std::size_t> survivors(const Evolution& evolution);
 /// "after 25 generations a fixed point".
 std::string how_it_ended(const Evolution& evolution);
 
-/// A whole number as it is, any other as the shortest decimal that reads back.
-std::string number_text(double number);
-
 }  // namespace folk::tools

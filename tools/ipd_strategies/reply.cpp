@@ -130,12 +130,12 @@ std::string mem1(const MemoryOne& strategy) {
 
 struct Opponents {
   std::vector<std::string> names;
-  Population population;
+  WeightedOpponents population;
 };
 
 Opponents opponents(const Question& asked) {
   std::vector<std::string> names;
-  std::vector<PopulationMember> members;
+  std::vector<WeightedOpponent> members;
   const Sense sense = asked.rules.noise > 0 ? Sense::any_own_moves : Sense::own_moves_its_own;
   for (const Strategy& strategy : standard_names().roster(asked.opponents, asked.rules.payoffs)) {
     if (!strategy.machine)
@@ -146,7 +146,7 @@ Opponents opponents(const Question& asked) {
     names.push_back(strategy.name);
     members.push_back({minimise(table_for(*strategy.machine, asked.rules.criterion, sense, 0), sense), 1});
   }
-  return {std::move(names), Population(std::move(members), asked.rules)};
+  return {std::move(names), WeightedOpponents(std::move(members), asked.rules)};
 }
 
 std::string searched_text(const SearchCertificate& certificate) {

@@ -117,7 +117,7 @@ void write_class_csv(std::ostream& out, const ClassTournament& tournament, const
   for_rows(tournament, labels, [&](const Row& row) {
     const auto& totals = tournament.totals(row.member);
     fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{}", row.rank, tournament.name(row.member),
-                   exact(tournament.total(row.member)), tournament.mean(row.member), totals.wins, totals.draws,
+                   number_text(tournament.total(row.member)), tournament.mean(row.member), totals.wins, totals.draws,
                    tournament.cooperation_rate(row.member));
     if (labels.behaviours) fmt::format_to(std::back_inserter(rows), ",{}", row.genotypes);
     rows.push_back('\n');
@@ -144,7 +144,7 @@ void write_class_json(std::ostream& out, const ClassTournament& tournament, cons
           std::back_inserter(rows),
           "{}    {{\"rank\": {}, \"name\": \"{}\", \"total\": {}, \"mean\": {}, \"wins\": {}, \"draws\": {}, "
           "\"cooperation_rate\": {}, \"genotypes\": {}}}",
-          separator, row.rank, tournament.name(row.member), exact(tournament.total(row.member)),
+          separator, row.rank, tournament.name(row.member), number_text(tournament.total(row.member)),
           tournament.mean(row.member), totals.wins, totals.draws, tournament.cooperation_rate(row.member),
           row.genotypes);
       separator = ",\n";

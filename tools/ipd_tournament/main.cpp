@@ -56,7 +56,7 @@ Program program() {
   add("class", text(), "memory(X,Y): score --entrants against all its members instead of playing a round robin");
   add("by-behaviour", "of a complete class: a row for all members that no opponent can tell apart");
   add("entrants", text(), "SPEC of those that meet the class (default classics)");
-  add("most-kinds", text(), "an entrant that tells more kinds of members apart is left out (default 200000000)");
+  add("most-kinds", text(), "an entrant that tells more kinds of members apart is left out (default 1000000000)");
   add_criterion_options(program.options);
   add("noise", text()->default_value("0"), "each move flips with this probability, from 0 to 1");
   add_game_options(program.options);

@@ -47,7 +47,9 @@ std::string methods_of(const Tournament& tournament) {
 std::optional<double> confidence(const Tournament& tournament, const RankingEntry& entry) {
   const std::uint64_t repetitions = tournament.settings().repetitions;
   if (entry.method != Method::sampled || repetitions < 2) return std::nullopt;
-  const boost::math::students_t distribution(static_cast<double>(repetitions - 1));
+  // In double, not through long double, of which valgrind has but the range of a double.
+  using Policy = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+  const boost::math::students_t_distribution<double, Policy> distribution(static_cast<double>(repetitions - 1));
   return boost::math::quantile(distribution, 0.975) * entry.error;
 }
 
@@ -98,10 +100,10 @@ void write_json_ranking(std::ostream& out, const Tournament& tournament) {
         "{}    {{\"rank\": {}, \"name\": {}, \"total\": {}, \"mean\": {}, \"median\": {}, \"wins\": {}, "
         "\"cooperation_rate\": {}, \"normalised\": {}, \"method\": \"{}\", \"confidence_95\": {}, "
         "\"belief_accuracy\": {}, \"total_against_roster\": {}, \"pairs_of_method\": {}}}",
-        separator, entry.rank, json_string(tournament.name(entry.entrant)), exact(entry.total), entry.mean,
+        separator, entry.rank, json_string(tournament.name(entry.entrant)), number_text(entry.total), entry.mean,
         entry.median, entry.wins, entry.cooperation_rate, json_number(entry.normalised), to_string(entry.method),
         json_number(confidence(tournament, entry)), json_number(entry.belief_accuracy),
-        exact(entry.total_against_roster), entry.pairs_of_method);
+        number_text(entry.total_against_roster), entry.pairs_of_method);
     separator = ",\n";
   }
   out << "\n  ]";
@@ -129,7 +131,7 @@ void write_csv_matrix(std::ostream& out, const Tournament& tournament, Cell cell
     out << csv_field(tournament.name(i));
     for (std::size_t j = 0; j < tournament.size(); ++j) {
       out << ',';
-      if (tournament.played(i, j)) out << exact(static_cast<long double>(cell(i, j)));
+      if (tournament.played(i, j)) out << number_text(static_cast<long double>(cell(i, j)));
     }
     out << '\n';
   }
@@ -149,10 +151,11 @@ void write_pairs_csv(std::ostream& out, const Tournament& tournament) {
       const OutcomeWeights outcomes = tournament.outcomes(i, j);
       const char* winner = i != j && tournament.wins(i, j) ? "a" : i != j && tournament.wins(j, i) ? "b" : "";
       fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(tournament.name(i)),
-                     csv_field(tournament.name(j)), exact(static_cast<long double>(tournament.score(i, j))),
-                     exact(static_cast<long double>(tournament.score(j, i))), outcomes[0] / all, outcomes[1] / all,
-                     outcomes[2] / all, outcomes[3] / all, winner, to_string(tournament.method(i, j)),
-                     tournament.standard_error(i, j), tournament.standard_error(j, i));
+                     csv_field(tournament.name(j)), number_text(static_cast<long double>(tournament.score(i, j))),
+                     number_text(static_cast<long double>(tournament.score(j, i))), outcomes[0] / all,
+                     outcomes[1] / all, outcomes[2] / all, outcomes[3] / all, winner,
+                     to_string(tournament.method(i, j)), tournament.standard_error(i, j),
+                     tournament.standard_error(j, i));
     }
     out.write(rows.data(), static_cast<std::streamsize>(rows.size()));
   }
@@ -229,10 +232,10 @@ void write_ranking_csv(std::ostream& out, const Tournament& tournament, const To
   for (const auto& entry : tournament.ranking())
     fmt::format_to(
         std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{},{},{},{}{}{}\n", entry.rank,
-        csv_field(tournament.name(entry.entrant)), exact(entry.total), entry.mean, entry.median, entry.wins,
+        csv_field(tournament.name(entry.entrant)), number_text(entry.total), entry.mean, entry.median, entry.wins,
         entry.cooperation_rate, csv_number(entry.normalised), to_string(entry.method),
-        csv_number(confidence(tournament, entry)), csv_number(entry.belief_accuracy), exact(entry.total_against_roster),
-        entry.pairs_of_method,
+        csv_number(confidence(tournament, entry)), csv_number(entry.belief_accuracy),
+        number_text(entry.total_against_roster), entry.pairs_of_method,
         extras.invasions != nullptr ? "," + invasion_csv_fields(*extras.invasions, entry.entrant) : "",
         extras.sub_rosters != nullptr ? "," + sub_roster_csv_fields(extras.sub_rosters->ranks[entry.entrant]) : "");
   out.write(rows.data(), static_cast<std::streamsize>(rows.size()));
@@ -262,10 +265,10 @@ void write_json(std::ostream& out, const Tournament& tournament, const Tournamen
   if (with_matrices) {
     write_json_methods(out, tournament);
     write_json_matrix(out, tournament, "scores", [&](std::size_t i, std::size_t j) {
-      return exact(static_cast<long double>(tournament.score(i, j)));
+      return number_text(static_cast<long double>(tournament.score(i, j)));
     });
     write_json_matrix(out, tournament, "cooperations", [&](std::size_t i, std::size_t j) {
-      return exact(static_cast<long double>(tournament.cooperation(i, j)));
+      return number_text(static_cast<long double>(tournament.cooperation(i, j)));
     });
     write_json_matrix(out, tournament, "normalised",
                       [&](std::size_t i, std::size_t j) { return json_number(tournament.normalised(i, j)); });

@@ -7,13 +7,13 @@
 
 namespace folk::tools {
 
-std::string exact(long double value) {
+std::string number_text(long double value) {
   if (value == std::floor(value) && std::abs(value) < 0x1p63L) return fmt::format("{}", static_cast<long long>(value));
   return fmt::format("{}", static_cast<double>(value));
 }
 
 std::string total_text(long double total) {
-  return total == std::floor(total) ? exact(total) : fmt::format("{:.4f}", static_cast<double>(total));
+  return total == std::floor(total) ? number_text(total) : fmt::format("{:.4f}", static_cast<double>(total));
 }
 
 std::string json_string(const std::string& text) {

@@ -8,7 +8,7 @@
 namespace folk::tools {
 
 /// Whole numbers without an exponent, others as the shortest decimal that reads back.
-std::string exact(long double value);
+std::string number_text(long double value);
 
 /// A total for the eye.
 std::string total_text(long double total);

@@ -23,14 +23,15 @@ namespace {
 const Criterion long_run = Criterion::mean();
 
 /// A population of memory-one strategies by their four probabilities; they open with C.
-Population of(const std::vector<std::array<double, 4>>& opponents, const Criterion& criterion, double noise = 0) {
-  std::vector<PopulationMember> members;
+WeightedOpponents of(const std::vector<std::array<double, 4>>& opponents, const Criterion& criterion,
+                     double noise = 0) {
+  std::vector<WeightedOpponent> members;
   for (const auto& after : opponents) members.push_back({memory_one(1, after), 1});
   return {std::move(members), {{}, criterion, noise}};
 }
 
-Population named(const std::string& roster, const Criterion& criterion, double noise = 0) {
-  std::vector<PopulationMember> members;
+WeightedOpponents named(const std::string& roster, const Criterion& criterion, double noise = 0) {
+  std::vector<WeightedOpponent> members;
   for (const auto& strategy : Registry::standard().roster(roster))
     members.push_back({table_for(*strategy.machine, criterion, Sense::any_own_moves, 0), 1});
   return {std::move(members), {{}, criterion, noise}};
@@ -43,7 +44,7 @@ std::array<double, 4> random_four(RandomStream& random) {
 }
 
 /// The best of a grid of `steps` intervals about a centre, for both openings, made finer `rounds` times.
-double best_on_grids(const Population& population, int steps, int rounds) {
+double best_on_grids(const WeightedOpponents& population, int steps, int rounds) {
   double best = -1e9;
   for (const Move opening : {Move::C, Move::D}) {
     std::array<double, 4> low{0, 0, 0, 0};
@@ -159,7 +160,7 @@ TEST(MemoryOneReply, StopsShortOfASupremumThatIsNotReached) {
                            {0, {2, 2, 2, 2}},
                            {0, {6, 6, 6, 6}}},
                           0);
-  const auto reply = memory_one_reply(Population({{teacher, 1}}, {{}, long_run}));
+  const auto reply = memory_one_reply(WeightedOpponents({{teacher, 1}}, {{}, long_run}));
   EXPECT_NEAR(reply.payoff, 3, 1e-6);
   EXPECT_LT(reply.certificate.corner_payoff, 2.5);
   EXPECT_TRUE(reply.certificate.at_open_end);
@@ -178,7 +179,8 @@ TEST(MemoryOneReply, WeighsItsOpponents) {
   const Automaton grim({{1, {0, 1, 1, 1}}, {0, {1, 1, 1, 1}}}, 0);
   // To defect earns 5w + (1-w), to cooperate 3.
   for (const double weight : {0.4, 0.6}) {
-    const auto reply = memory_one_reply(Population({{all_c, weight}, {grim, 1 - weight}}, {{}, long_run}), {100});
+    const auto reply =
+        memory_one_reply(WeightedOpponents({{all_c, weight}, {grim, 1 - weight}}, {{}, long_run}), {100});
     EXPECT_NEAR(reply.payoff, std::max(3.0, 5 * weight + (1 - weight)), 1e-6);
     EXPECT_NEAR(reply.certificate.unrestricted, 5 * weight + 3 * (1 - weight), 1e-12);
   }
@@ -195,13 +197,13 @@ TEST(MemoryOneReply, IsTheSameOnAnyNumberOfThreads) {
 
 TEST(MemoryOneReply, RefusesWhatMakesNoSense) {
   const Automaton all_c = memory_one(1, {1, 1, 1, 1});
-  test::expect_error<UsageError>([] { Population({}, {{}, long_run}); }, "nobody");
-  test::expect_error<UsageError>([&] { Population({{all_c, 0}}, {{}, long_run}); }, "weight 0");
-  test::expect_error<UsageError>([&] { Population({{all_c, 1}}, {{}, long_run, 2}); }, "noise 2");
+  test::expect_error<UsageError>([] { WeightedOpponents({}, {{}, long_run}); }, "nobody");
+  test::expect_error<UsageError>([&] { WeightedOpponents({{all_c, 0}}, {{}, long_run}); }, "weight 0");
+  test::expect_error<UsageError>([&] { WeightedOpponents({{all_c, 1}}, {{}, long_run, 2}); }, "noise 2");
   std::vector<Automaton::Node> long_chain(2000);
   for (std::uint32_t s = 0; s < 2000; ++s) long_chain[s].next.fill((s + 1) % 2000);
   const Automaton chain(long_chain, 0);
-  test::expect_error<UsageError>([&] { Population({{chain, 1}}, {{}, long_run}); }, "2000 states");
+  test::expect_error<UsageError>([&] { WeightedOpponents({{chain, 1}}, {{}, long_run}); }, "2000 states");
 }
 
 TEST(MemoryOneReplyThreads, EndsAsItsProgressWishes) {

@@ -234,7 +234,7 @@ class Refusals(Scratch):
         self.refused(2, "--strategies", "memory(3,3)", says=("2^67", "X + Y = 4"))
         self.refused(2, "--strategies", "pavlov,memory(2,2)", says=("262144", "20000", "--class"))
         for extra in (("--include", "pavlov"), ("--model", "moran"), ("--noise", "0.1"), ("--fixation",), ("--runs", "3"),
-                      ("--start", "pavlov=3"), ("--population", "1e15")):
+                      ("--start", "pavlov=3"), ("--plot",), ("--population", "1e15")):
             self.refused(2, "--strategies", "memory(2,2)", *extra, says=extra[0] if extra[0] != "--population" else "too much")
         self.refused(2, "--criterion", "mean", says=("gradual", "no limit", "give a horizon"))
         self.assertIn("fixed point", output("--criterion", "mean", "--exclude", "gradual,hard_majo,soft_majo"))

@@ -152,9 +152,27 @@ class TheChampion(unittest.TestCase):
         self.assertEqual(again["entrants"][0]["exact_mean"], found["exact_mean"])
         self.assertEqual(found, self.champion(*asked, "--threads", "1"))
 
+    def test_of_a_sample(self):
+        asked = ("--class", "memory(2,3)", "--rounds", "100", "--sample", "40", "--seed", "2")
+        found = self.champion(*asked)
+        self.assertEqual((found["sample"], found["class_size"]), (40, str(2**35)))
+        winner = found["winners"][0]
+        self.assertLessEqual(winner["population"], found["individuals"])
+        against = json.loads(output("--class", "memory(2,3)", "--entrants", winner["member"], "--rounds", "100",
+                                    "--format", "json"))
+        self.assertEqual(against["entrants"][0]["exact_mean"], winner["exact_mean"])
+        table = rows(output("champion", *asked, "--most-kinds", "1", "--quiet", "--format", "csv",
+                            program="ipd-strategies"))
+        self.assertEqual((table[0]["member"], table[0]["mean"]), (winner["member"], ""))
+        text = output("champion", *asked, "--most-kinds", "1", "--quiet", program="ipd-strategies")
+        self.assertTrue(text.startswith(winner["member"] + "\nnot scored against memory(2,3): it tells more than 1 "))
+
     def test_wrong_usage(self):
         for arguments in (("champion",), ("champion", "--class", "classics"), ("champion", "x", "--class", "memory(1,1)"),
-                          ("champion", "--class", "memory(1,1)", "--evaluations", "0")):
+                          ("champion", "--class", "memory(1,1)", "--evaluations", "0"),
+                          ("champion", "--class", "memory(1,1)", "--sample", "33"),
+                          ("champion", "--class", "memory(1,1)", "--sample", "3", "--evaluations", "5"),
+                          ("champion", "--class", "memory(1,1)", "--generations", "5")):
             done = run(*arguments, program="ipd-strategies")
             self.assertEqual((done.returncode, done.stdout), (2, ""), done)
 
