@@ -39,7 +39,8 @@ Program program() {
       "comparison; and says who takes over, with which probability, and what rare mutations come to. SPEC is a\n"
       "comma list of names, rosters (classics, sct2025, all), families (memory(1,2)), genotypes\n"
       "(mem12_ccCDCDDCDD), @FILE (@- is the standard input) and exec:\"CMD\"; LABEL=NAME renames one of them.\n"
-      "A complete class alone may be as large as memory(2,2).";
+      "A complete class alone may be as large as memory(2,2). Under mpirun or srun the ranks share tournaments and\n"
+      "generations of a class; the results do not depend on it.";
   program.examples = {"ipd-evolve --rounds 1000",
                       "ipd-evolve --strategies 'memory(1,2)' --rounds 1000 --format csv",
                       "ipd-evolve --strategies 'memory(2,2)' --rounds 1000 --journal memory22.journal",

@@ -10,6 +10,8 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <string>
+#include <string_view>
 
 namespace folk::tools {
 
@@ -20,8 +22,10 @@ Journal journal_option(const po::variables_map& values) {
 
 void run_with_journal(Evolution& evolution, std::uint64_t generations, Journal& journal, std::uint64_t identity,
                       std::size_t strategies, const Common& common) {
-  // What rank 0 has read, all go on from.
-  if (const std::string text = crew().tell(journal.read().value_or("")); !text.empty()) {
+  // What rank 0 has read, all go on from; a letter before it says that there is one.
+  const auto found = journal.read();
+  if (const std::string told = crew().tell(found ? "j" + *found : ""); !told.empty()) {
+    const auto text = std::string_view(told).substr(1);
     evolution.restore(read_evolution_journal(text, journal.name(), identity, strategies));
     if (evolution.state().generation > generations)
       throw UsageError(

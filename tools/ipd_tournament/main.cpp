@@ -38,7 +38,8 @@ Program program() {
       "and prints the ranking. SPEC is a comma list of names, rosters (classics, sct2025, all), families\n"
       "(memory(1,2)), genotypes (mem12_ccCDCDDCDD), @FILE (@- is the standard input) and exec:\"CMD\"; LABEL=NAME\n"
       "renames one of them. 'ipd-strategies list' shows all. A complete class alone is ranked as a whole, up to\n"
-      "memory(2,2); --class scores entrants against all members of one, up to memory(4,4), without listing them.";
+      "memory(2,2); --class scores entrants against all members of one, up to memory(4,4), without listing them.\n"
+      "Under mpirun or srun the ranks share the work; the results do not depend on it.";
   program.examples = {"ipd-tournament",
                       "ipd-tournament --strategies pavlov,tit_for_tat,all_d --rounds 1000",
                       "ipd-tournament --include @examples/my_strategies.machines --noise 0.01 --output results --plot",
@@ -137,19 +138,19 @@ int tournament(const po::variables_map& values, const Common& common) {
   settings.threads = threads_option(values, common);
   if (values.count("invasion") != 0 && !settings.self_play)
     throw UsageError("--invasion needs what each earns against its own copy: leave out --no-self-play");
-  auto [entrants, core] = chosen_field(values, game.payoffs);
-  auto sub_roster_settings = chosen_sub_rosters(values, entrants.size());
-  const auto pictures = chosen_pictures(values, entrants.size());
+  Field field = chosen_field(values, game.payoffs);
+  auto sub_roster_settings = chosen_sub_rosters(values, field.entrants.size());
+  const auto pictures = speaks() ? chosen_pictures(values, field.entrants.size()) : std::nullopt;
   const auto folder = output_folder(values);
   note_unusual_payoffs(game, common);
 
   std::optional<Tournament> played;
   std::optional<SubRosters> sub_rosters;
   run_kept(values, [&](const auto& ended) {
-    ProgressBar bar(fmt::format("playing {} strategies", entrants.size()), !common.quiet);
+    ProgressBar bar(fmt::format("playing {} strategies", field.entrants.size()), !common.quiet);
     const Progress progress(std::ref(bar), ended);
-    played =
-        play_tournament(std::move(entrants), core, settings, progress.part(0, sub_roster_settings ? 0.5 : 1), crew());
+    played = play_tournament(std::move(field.entrants), field.core, settings,
+                             progress.part(0, sub_roster_settings ? 0.5 : 1), crew());
     if (!sub_roster_settings || !crew().first()) return;
     sub_roster_settings->seed = settings.seed;
     sub_roster_settings->threads = settings.threads;

@@ -102,8 +102,7 @@ class SameBytes(Scratch):
 class WhatIsWrong(Scratch):
     def test_is_said_once(self):
         missing = str(self.folder / "missing.machines")
-        for code, word, arguments in ((2, "nobody", ("--strategies", "nobody")), (3, "missing", ("--include", "@" + missing)),
-                                      (2, "standard input", ("--include", "@-")),
+        for code, word, arguments in ((3, "missing", ("--include", "@" + missing)), (2, "standard input", ("--include", "@-")),
                                       (4, "exit status 7", ("--include", 'exec:"exit 7"', "--repetitions", "1"))):
             done = run(3, *arguments)
             self.assertEqual((done.returncode, done.stdout), (code, ""), done)
@@ -141,10 +140,10 @@ class Kills(Scratch):
         except OSError:
             return False
 
-    def end(self, which, number, journal):
+    def end(self, which, number, journal, asked=ASKED):
         """Starts three ranks and sends one of them, or the launcher, a signal once some pieces are kept."""
         with open(self.folder / "said", "w+") as errors:
-            process = subprocess.Popen([MPIRUN, "-n", "3", TOURNAMENT, *self.ASKED, "--threads", "1", "--journal", str(journal)],
+            process = subprocess.Popen([MPIRUN, "-n", "3", TOURNAMENT, *asked, "--threads", "1", "--journal", str(journal)],
                                        stdout=subprocess.DEVNULL, stderr=errors, env={**os.environ, **MPI})
             while process.poll() is None and not journal.exists():
                 time.sleep(0.005)
@@ -167,12 +166,9 @@ class Kills(Scratch):
     def test_lose_nothing_that_was_kept(self):
         journal = self.folder / "j"
         uninterrupted = run(1, *self.ASKED).stdout
-        for which, number in ((0, signal.SIGKILL), (1, signal.SIGKILL), (None, signal.SIGKILL), (None, signal.SIGTERM)):
+        for which in (0, 1, None):
             journal.unlink(missing_ok=True)
-            code, errors = self.end(which, number, journal)
-            if code != 0 and number == signal.SIGTERM:
-                self.assertEqual(errors.count("ipd-tournament: interrupted after "), 1, errors)
-                self.assertIn("the same command goes on from there", errors)
+            self.end(which, signal.SIGKILL, journal)
             kept = journal.read_bytes()[:-70_000]  # the last record may be cut off
             self.assertGreater(len(kept), 0)
             # One process goes on, or other ranks.
@@ -182,6 +178,12 @@ class Kills(Scratch):
         begun = journal.stat().st_mtime_ns
         self.assertEqual(run(1, *self.ASKED, "--journal", str(journal)).stdout, uninterrupted)
         self.assertEqual(journal.stat().st_mtime_ns, begun, "nothing was played again")
+
+    def test_an_interruption_is_said_once(self):
+        code, errors = self.end(None, signal.SIGTERM, self.folder / "j", ("--strategies", "memory(3,1)", "--rounds", "1000"))
+        self.assertNotEqual(code, 0)
+        self.assertEqual(errors.count("ipd-tournament: interrupted after "), 1, errors)
+        self.assertIn("the same command goes on from there", errors)
 
 
 class Journals(Scratch):
