@@ -43,6 +43,10 @@ TEST(PopulationPlot, ColoursTheMostAndCallsTheRestOthers) {
   EXPECT_TRUE(holds(script, "\n0 3 2 1 NaN 13"));  // the logarithm of nobody
   EXPECT_TRUE(holds(population_stack_script(plot_of(14, 5), PictureFormat::svg), "'4 others'"));
   EXPECT_FALSE(holds(population_stack_script(plot_of(3, 5), PictureFormat::svg), "others"));
+  EXPECT_TRUE(holds(script, "set ytics format '%.0f'"));
+  auto millions = plot_of(3, 5);
+  millions.rows[2].population[1] = 2.5e6;
+  EXPECT_TRUE(holds(population_lines_script(millions, PictureFormat::svg), "set ytics format '%.1s%c'"));
 }
 
 TEST(PopulationPlot, OfALongWayHasALogarithmicAxisAndFewPoints) {
