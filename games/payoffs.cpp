@@ -21,6 +21,19 @@ std::optional<std::string> dilemma_warning(const Payoffs& payoffs) {
 }
 
 Payoffs parse_payoffs(std::string_view text) {
+  const auto [t, r, p, s] = parse_symmetric_payoffs(text);
+  return prisoners_dilemma(t, r, p, s);
+}
+
+std::string usual_name(const Payoffs& payoffs) {
+  const auto& [t, r, p, s] = payoffs;
+  if (t > r && r > p && p > s) return "prisoner's dilemma";
+  if (r > t && t >= p && p > s) return "stag hunt";
+  if (t > r && r > s && s > p) return "chicken";
+  return "symmetric 2x2 game";
+}
+
+Payoffs parse_symmetric_payoffs(std::string_view text) {
   const auto refuse = [&](const std::string& why) -> UsageError {
     return UsageError("payoffs '" + excerpt(text, 60) + "': " + why + "; write T=5,R=3,P=1,S=0");
   };
@@ -44,7 +57,7 @@ Payoffs parse_payoffs(std::string_view text) {
   }
   for (const char letter : {'T', 'R', 'P', 'S'})
     if (found.count(letter) == 0) throw refuse(std::string(1, letter) + " is missing");
-  return prisoners_dilemma(found['T'], found['R'], found['P'], found['S']);
+  return {found['T'], found['R'], found['P'], found['S']};
 }
 
 std::string to_text(const Payoffs& payoffs) {

@@ -40,6 +40,13 @@ std::optional<std::string> dilemma_warning(const Payoffs& payoffs);
 /// Reads "T=5,R=3,P=1,S=0" (any order, each letter once) as a prisoner's dilemma. Throws UsageError.
 Payoffs parse_payoffs(std::string_view text);
 
+/// The same of any symmetric 2x2 game. Throws UsageError.
+Payoffs parse_symmetric_payoffs(std::string_view text);
+
+/// What the literature calls a game with payoffs in this order: "prisoner's dilemma" (T > R > P > S), "stag hunt"
+/// (R > T >= P > S), "chicken" (T > R > S > P), else "symmetric 2x2 game".
+std::string usual_name(const Payoffs& payoffs);
+
 /// "T=5,R=3,P=1,S=0".
 std::string to_text(const Payoffs& payoffs);
 

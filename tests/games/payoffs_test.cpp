@@ -47,6 +47,19 @@ TEST(Payoffs, RefusesWhatIsNoDilemma) {
     expect_error<UsageError>([&] { parse_payoffs(text); }, "it needs T > R > P > S");
 }
 
+TEST(Payoffs, OfOtherGamesAreReadAndNamed) {
+  const auto named = [](const char* text) { return usual_name(parse_symmetric_payoffs(text)); };
+  EXPECT_EQ(parse_symmetric_payoffs("T=3,R=4,S=0,P=2"), (Payoffs{3, 4, 2, 0}));
+  EXPECT_THROW(parse_symmetric_payoffs("T=3,R=4,S=0"), UsageError);
+  EXPECT_EQ(named("T=5,R=3,P=1,S=0"), "prisoner's dilemma");
+  EXPECT_EQ(named("T=8,R=9,P=7,S=0"), "stag hunt");
+  EXPECT_EQ(named("T=3,R=4,P=3,S=0"), "stag hunt");
+  EXPECT_EQ(named("T=7,R=6,P=0,S=2"), "chicken");
+  for (const char* other :
+       {"T=1,R=2,P=3,S=4", "T=5,R=3,P=1,S=1", "T=3,R=4,P=0,S=0", "T=4,R=3,P=0,S=3", "T=3,R=3,P=1,S=0"})
+    EXPECT_EQ(named(other), "symmetric 2x2 game") << other;
+}
+
 TEST(Payoffs, WarnsWhenTakingTurnsPays) {
   EXPECT_FALSE(dilemma_warning(Payoffs{}));
   EXPECT_TRUE(dilemma_warning(prisoners_dilemma(6, 3, 1, 0)));  // 2R = T + S

@@ -30,8 +30,14 @@ ChosenGame chosen_game(const po::variables_map& values) {
     const auto game = read_game(text_option(values, "game"));
     chosen.payoffs = symmetric_payoffs(game);
     chosen.title = game.title().empty() ? "without a title" : game.title();
+    chosen.actions = {game.actions(Seat::first)[0], game.actions(Seat::first)[1]};
   }
   return chosen;
+}
+
+std::string action_words(const ChosenGame& game) {
+  if (game.actions == ChosenGame{}.actions) return "";
+  return fmt::format("C is {}, D is {}", visible_text(game.actions[0], 100), visible_text(game.actions[1], 100));
 }
 
 std::string shown_title(const std::string& title) { return visible_text(title, 200); }

@@ -6,6 +6,7 @@
 #include <folk/games/payoffs.h>
 #include <folk/games/stage_game.h>
 
+#include <array>
 #include <string>
 
 namespace folk::tools {
@@ -15,7 +16,11 @@ struct ChosenGame {
   Payoffs payoffs;
   std::string title = "prisoner's dilemma";
   bool from_file = false;
+  std::array<std::string, 2> actions{"C", "D"};  ///< what its author calls C and D
 };
+
+/// "C is Stag, D is Hare", where the actions have names of their own, else nothing.
+std::string action_words(const ChosenGame& game);
 
 /// Adds --payoffs and --game.
 void add_game_options(po::options_description& options);

@@ -173,8 +173,10 @@ void write_text(std::ostream& out, const MatchSettings& settings, const MatchRec
   const std::array<std::vector<Rational>, 2> scores{running_scores(settings, record, Seat::first),
                                                     running_scores(settings, record, Seat::second)};
   out << visible_line(record.names[0] + " against " + record.names[1])
-      << fmt::format("{}, {}; {} rounds; noise {}; seed {}\n\n", shown_title(settings.game.title),
+      << fmt::format("{}, {}; {} rounds; noise {}; seed {}\n", shown_title(settings.game.title),
                      to_text(settings.game.payoffs), settings.rounds, to_short_text(settings.noise), settings.seed);
+  const std::string actions = action_words(settings.game);
+  out << (actions.empty() ? "\n" : actions + "\n\n");
   const Page page = page_for(record, scores, sheet);
   for (std::size_t begin = 0; begin < settings.rounds; begin += page.moves)
     out << block(page, record, scores, begin, std::min<std::size_t>(begin + page.moves, settings.rounds)) << "\n";

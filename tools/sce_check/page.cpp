@@ -90,6 +90,7 @@ Html question_list(const SceQuestion& question) {
   add("policy", question.policy.name);
   add("opponents", question.opponents_spec);
   add("game", question.game.title + ", " + to_text(question.payoffs));
+  if (const std::string actions = action_words(question.game); !actions.empty()) add("actions", actions);
   add("criterion", question.criterion.to_string());
   if (question.from > 1) add("asked from", fmt::format("round {} on, after what was played before it", question.from));
   if (question.noise > 0)

@@ -144,7 +144,12 @@ SceQuestion sce_question(const po::variables_map& values, const Common& common) 
 
   question.game = chosen_game(values);
   const bool own_game = values.count("payoffs") == 0 && values.count("game") == 0;
-  if (training != nullptr && own_game) question.game.payoffs = training->payoffs;
+  if (training != nullptr && own_game) {
+    question.game.payoffs = training->payoffs;
+    question.game.title = usual_name(training->payoffs);
+    const auto& actions = question.mind->policy.action_names;
+    if (actions.size() == 2) question.game.actions = {actions[0], actions[1]};
+  }
   question.payoffs = question.game.payoffs;
   const Payoffs& payoffs = question.payoffs;
   question.policy = file ? sct::transformer(label.value_or(is_file ? "sct:" + named : named), question.mind, options)

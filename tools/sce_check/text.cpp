@@ -35,6 +35,7 @@ void write_header(std::ostream& out, const SceQuestion& question, const SceRepor
                      from_words(question), noise, visible_text(question.class_spec),
                      to_short_text(question.epsilon_belief), to_text(question.epsilon_payoff), question.depth,
                      question.seed);
+  if (const std::string actions = action_words(question.game); !actions.empty()) out << actions << "\n";
   if (!question.left_out.empty())
     out << visible_line(
         fmt::format("left out of the default opponents, machines without end: {}", fmt::join(question.left_out, ", ")));

@@ -1,3 +1,4 @@
+#include <folk/tools/choices/game_option.h>
 #include <folk/tools/sct_train/config.h>
 
 #include <fmt/format.h>
@@ -5,6 +6,7 @@
 #include <folk/games/criterion.h>
 #include <folk/games/error.h>
 #include <folk/games/text_file.h>
+#include <folk/games/utf8.h>
 #include <folk/strategies/names.h>
 #include <folk/strategies/nearest_names.h>
 
@@ -60,6 +62,14 @@ Key text_key(std::string name, std::string help, Field field, Check check) {
 }
 
 void any_text(const std::string&, const std::string&) {}
+
+/// From the least to the largest payoff. Throws UsageError where there is no difference to learn from.
+Rational range_of(const Payoffs& payoffs) {
+  const auto& [t, r, p, s] = payoffs;
+  const auto [least, most] = std::minmax({t, r, p, s});
+  if (least == most) throw UsageError(fmt::format("in {} no move earns more than another", to_text(payoffs)));
+  return most - least;
+}
 
 void check_loss(const std::string& text, const std::string& what) {
   if (text != "teacher" && text != "selfconf" && text != "rmadt" && text != "madt")
@@ -121,9 +131,15 @@ const std::vector<Key>& keys() {
          c.rounds = parse_whole_number(text, what, 1, most_rounds);
        },
        [](const TrainConfig& c) { return c.rounds == 0 ? "" : fmt::to_string(c.rounds); }},
-      {"payoffs", "a prisoner's dilemma",
-       [](TrainConfig& c, const std::string& text, const std::string&) { c.payoffs = parse_payoffs(text); },
+      {"payoffs", "a prisoner's dilemma, or those of the game",
+       [](TrainConfig& c, const std::string& text, const std::string&) {
+         c.payoffs = parse_symmetric_payoffs(text);
+         c.payoffs_given = true;
+       },
        [](const TrainConfig& c) { return to_text(c.payoffs); }},
+      text_key(
+          "game", "a symmetric 2x2 game from a .nfg file, its first action taken as C; - is the standard input",
+          [](auto& c) -> auto& { return c.game; }, any_text),
       whole_key(
           "data-repetitions", "matches of a pair in the data, where chance has a part", 1, 10'000,
           [](auto& c) -> auto& { return c.data_repetitions; }),
@@ -181,9 +197,12 @@ const std::vector<Key>& keys() {
       real_key(
           "early", "share of the windows that begin in round 1; the rest begin anywhere", 0, 1,
           [](auto& c) -> auto& { return c.training.windows.early; }),
-      real_key(
-          "return-scale", "returns are divided by it", 1e-9, 1e15,
-          [](auto& c) -> auto& { return c.training.windows.return_scale; }),
+      {"return-scale",
+       "returns are divided by it (default 20 times the range of the payoffs, 100 in the usual dilemma)",
+       [](TrainConfig& c, const std::string& text, const std::string& what) {
+         c.return_scale = parse_number(text, what, 1e-9, 1e15);
+       },
+       [](const TrainConfig& c) { return c.return_scale == 0 ? "" : fmt::format("{}", c.return_scale); }},
       real_key(
           "return-jitter", "standard deviation of a number added to the returns of a window", 0, 1e15,
           [](auto& c) -> auto& { return c.training.windows.return_jitter; }),
@@ -195,7 +214,7 @@ const std::vector<Key>& keys() {
           [](auto& c) -> auto& { return c.evaluate_every; }),
       {"targets",
        "returns to ask for in the evaluations: FROM:TO:BY or a comma list (default 260:360:20, a round 2.6 "
-       "to 3.6)",
+       "to 3.6, and likewise around what both can have in other games)",
        [](TrainConfig& c, const std::string& text, const std::string& what) {
          parse_targets(text, what);
          c.targets = text;
@@ -241,6 +260,32 @@ std::string_view trimmed(std::string_view text) {
                                near.empty() ? "" : fmt::format(": did you mean {}?", fmt::join(near, ", "))));
 }
 
+/// The game of the file, where there is one; payoffs that are given beside it must be its own.
+void take_game(TrainConfig& config) {
+  if (!config.has_game()) {
+    const auto& [t, r, p, s] = config.payoffs;
+    prisoners_dilemma(t, r, p, s);
+    return;
+  }
+  const StageGame game = read_game(config.game);
+  const Payoffs payoffs = symmetric_payoffs(game);
+  if (config.payoffs_given && !(config.payoffs == payoffs))
+    throw UsageError(fmt::format("game {} has {}, which payoffs {} contradict: give one of the two",
+                                 excerpt(config.game, 1000), to_text(payoffs), to_text(config.payoffs)));
+  config.payoffs = payoffs;
+  constexpr std::size_t longest_action = 100;
+  for (std::size_t i = 0; i < config.actions.size(); ++i) {
+    const std::string& action = game.actions(Seat::first)[i];
+    const auto characters = utf8_characters(action);
+    if (action.size() > longest_action || std::any_of(characters.begin(), characters.end(), no_character))
+      throw UsageError(
+          fmt::format("game {}: the action '{}' cannot be kept in a policy: give it a name of at most {} "
+                      "bytes of UTF-8",
+                      excerpt(config.game, 1000), excerpt(action), longest_action));
+    config.actions[i] = action;
+  }
+}
+
 void take_line(TrainConfig& config, std::string_view line, std::set<std::string>& seen) {
   line = trimmed(line.substr(0, line.find('#')));
   if (line.empty()) return;
@@ -253,19 +298,28 @@ void take_line(TrainConfig& config, std::string_view line, std::set<std::string>
   key->set(config, std::string(trimmed(line.substr(sign + 1))), name);
 }
 
-void take_file(TrainConfig& config, const std::filesystem::path& file) {
+/// The place of a line in messages.
+std::string place(const std::filesystem::path& file, std::size_t number) {
+  return fmt::format("{}:{}: ", excerpt(file.string(), 1000), number);
+}
+
+/// Returns the number of the line that gives the payoffs; 0 where none does.
+std::size_t take_file(TrainConfig& config, const std::filesystem::path& file) {
   const std::string text = read_text_file(file);
   std::set<std::string> seen;
   std::size_t number = 1;
+  std::size_t of_payoffs = 0;
   for (std::size_t begin = 0; begin < text.size(); ++number) {
     const auto end = std::min(text.find('\n', begin), text.size());
     try {
       take_line(config, std::string_view(text).substr(begin, end - begin), seen);
     } catch (const UsageError& error) {
-      throw InputFileError(fmt::format("{}:{}: {}", excerpt(file.string(), 1000), number, error.what()));
+      throw InputFileError(place(file, number) + error.what());
     }
+    if (of_payoffs == 0 && config.payoffs_given) of_payoffs = number;
     begin = end + 1;
   }
+  return of_payoffs;
 }
 
 }  // namespace
@@ -281,7 +335,14 @@ void add_train_options(po::options_description& options) {
 
 TrainConfig train_config(const po::variables_map& values, const std::filesystem::path& file) {
   TrainConfig config;
-  if (!file.empty()) take_file(config, file);
+  std::size_t of_payoffs = file.empty() ? 0 : take_file(config, file);
+  // Options win over the file: --payoffs over its game, --game over its payoffs.
+  const bool by_letters = values.count("payoffs") != 0;
+  if (by_letters || values.count("game") != 0) {
+    config.payoffs_given = by_letters;
+    config.game = TrainConfig{}.game;
+    of_payoffs = 0;
+  }
   for (const auto& key : keys())
     if (values.count(key.name) != 0) key.set(config, values[key.name].as<std::string>(), "--" + key.name);
   if (config.data_is_folder() && config.data_repetitions != TrainConfig{}.data_repetitions)
@@ -291,9 +352,12 @@ TrainConfig train_config(const po::variables_map& values, const std::filesystem:
     throw UsageError("a teacher needs matches against its roster: give data = tournament or best-reply");
   if (config.regret_temperature > 0 && config.data == "best-reply")
     throw UsageError("regret-temperature weighs moves that are imitated; a teacher weighs best replies: leave it out");
-  if (config.targets.empty() && !(config.payoffs == Payoffs{}))
-    throw UsageError(
-        fmt::format("which returns to ask for in {}? Give targets, as in 260:360:20", to_text(config.payoffs)));
+  try {
+    take_game(config);
+  } catch (const UsageError& error) {
+    if (of_payoffs == 0) throw;
+    throw InputFileError(place(file, of_payoffs) + error.what());
+  }
   return config;
 }
 
@@ -304,6 +368,16 @@ TrainConfig with_seed(TrainConfig config, std::uint64_t seed) {
   return config;
 }
 
+std::string usual_targets(const Payoffs& payoffs, std::uint64_t rounds) {
+  const auto& [t, r, p, s] = payoffs;
+  const Rational range = range_of(payoffs);
+  const Rational both = std::max({r, p, (t + s) / 2});
+  const Rational most = std::max({t, r, p, s});
+  const auto of_match = [&](const Rational& a_round) { return to_double(a_round * Rational(rounds)); };
+  return fmt::format("{}:{}:{}", of_match(both - range * 2 / 25), of_match(std::min(both + range * 3 / 25, most)),
+                     of_match(range / 25));
+}
+
 void settle(TrainConfig& config, std::uint64_t rounds) {
   if (config.rounds != 0 && config.rounds != rounds)
     throw UsageError(fmt::format("rounds = {}, but the matches in {} have {}: leave rounds out", config.rounds,
@@ -311,9 +385,10 @@ void settle(TrainConfig& config, std::uint64_t rounds) {
   if (rounds > most_rounds)
     throw UsageError(fmt::format("{}: matches of {} rounds, more than {}", config.data, rounds, most_rounds));
   config.rounds = rounds;
-  if (!config.targets.empty()) return;
-  const auto share = [&](std::uint64_t hundredths) { return static_cast<double>(hundredths * rounds) / 100; };
-  config.targets = fmt::format("{}:{}:{}", share(260), share(360), share(20));
+  if (config.targets.empty()) config.targets = usual_targets(config.payoffs, rounds);
+  constexpr int scale_of_range = 20;  // 100 in the standard dilemma, as the paper's program has it
+  if (config.return_scale == 0) config.return_scale = scale_of_range * to_double(range_of(config.payoffs));
+  config.training.windows.return_scale = config.return_scale;
 }
 
 std::vector<std::pair<std::string, std::string>> key_values(const TrainConfig& config) {

@@ -6,6 +6,7 @@
 #include <folk/games/payoffs.h>
 #include <folk/sct/training/training_run.h>
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -18,8 +19,11 @@ namespace folk::tools {
 struct TrainConfig {
   std::string data = "tournament";  ///< or "best-reply", or a folder
   std::string roster = "sct2025";
-  std::uint64_t rounds = 0;  ///< 0: not given
+  std::uint64_t rounds = 0;   ///< 0: not given
+  std::string game = "none";  ///< or a .nfg file, whose payoffs and actions these are then
   Payoffs payoffs;
+  bool payoffs_given = false;
+  std::array<std::string, 2> actions{"C", "D"};
   std::uint64_t data_repetitions = 1;
   double regret_temperature = 0;  ///< 0: all moves of the data weigh the same
   double situation_temperature = 20;
@@ -28,9 +32,11 @@ struct TrainConfig {
   double aggregate_slip = 0.05;
   std::string loss = "teacher";
   std::string decay = "no";
-  std::string targets;  ///< empty: 2.6 to 3.6 a round
+  std::string targets;      ///< empty: usual_targets
+  double return_scale = 0;  ///< 0: 20 times the range of the payoffs, 100 in the standard dilemma
   std::uint64_t checkpoint_every = 100;
-  sct::TrainingSettings training;  ///< all but architecture.time_rows, mode and decay_steps, which follow from the rest
+  /// All but architecture.time_rows, mode, decay_steps and the scale of returns, which follow from the rest.
+  sct::TrainingSettings training;
   std::uint64_t steps = 10'000;
   std::uint64_t evaluate_every = 250;
   double validation_noise = 0;
@@ -45,6 +51,9 @@ struct TrainConfig {
   bool data_is_folder() const { return data != "tournament" && data != "best-reply"; }
 
   bool holds_out() const { return held_out != "none"; }
+
+  /// The payoffs and the names of the actions came from a file.
+  bool has_game() const { return game != "none"; }
 };
 
 /// Adds an option for each key, its help with the default.
@@ -57,7 +66,14 @@ TrainConfig train_config(const po::variables_map& values, const std::filesystem:
 /// The config with this seed. Throws UsageError when the evaluations draw from the same.
 TrainConfig with_seed(TrainConfig config, std::uint64_t seed);
 
-/// Fills in what follows from the rounds of the data's matches. Throws UsageError when the config says another number.
+/// The returns to ask for where none are given, "FROM:TO:BY": a round from b - 0.08 w to b + 0.12 w, no more than the
+/// game can pay, by 0.04 w. b is the most that both can have on average (both C, both D, or C and D in turn), w the
+/// range of the payoffs: 2.6 to 3.6 by 0.2 in the standard dilemma. Throws UsageError for payoffs that are all the
+/// same.
+std::string usual_targets(const Payoffs& payoffs, std::uint64_t rounds);
+
+/// Fills in what follows from the payoffs and the rounds of the data's matches. Throws UsageError when the config says
+/// another number of rounds.
 void settle(TrainConfig& config, std::uint64_t rounds);
 
 /// The keys as a file that says the same, one "key = value" a line.

@@ -42,7 +42,9 @@ Program program() {
   program.name = name;
   program.usage = "[options]";
   program.summary =
-      "Trains a self-confirming transformer on matches of the iterated prisoner's dilemma, lets it play every so many\n"
+      "Trains a self-confirming transformer on matches of the iterated prisoner's dilemma, or of another symmetric "
+      "2x2\n"
+      "game (--game), lets it play every so many\n"
       "steps, and writes the policy that earned most, with the return it should be asked for. Every option from data\n"
       "on may stand in a file (--config) as a line 'key = value'; the defaults are the SCT paper's, where it states "
       "one.";
@@ -51,6 +53,7 @@ Program program() {
                       "sct-train --config run.conf --seed 2 --output sct-2.bin --checkpoint run-2 --resume",
                       "sct-train --config run.conf --seeds 1..5 --output sct.bin --log sct.csv --checkpoint runs",
                       "sct-train --config run.conf --held-out 'winner12,winner21,per_cccd' --patience 4",
+                      "sct-train --game examples/stag_hunt.nfg --output stag.bin",
                       "sct-train --data trajectories/ --roster classics --steps 5000 --format json",
                       "ipd-tournament --strategies sct2025 --include sct:policy.bin"};
   auto add = program.options.add_options();
@@ -71,9 +74,11 @@ std::string description(const TrainConfig& config, const sct::TrainingSettings& 
   for (const auto& [key, value] : key_values(config))
     if (key == "decay")
       text += fmt::format("decay = {}\n", settings.optimiser.decay_steps);
-    else if (key == "held-out" && !config.holds_out())
+    else if ((key == "held-out" && !config.holds_out()) || (key == "game" && !config.has_game()))
       continue;  // so that a checkpoint from before there was this key is still of the same run
-    else if (key != "steps" && key != "patience" && key != "checkpoint-every")  // a run may be made longer
+    else if (key == "game")
+      text += fmt::format("actions = {}, {}\n", config.actions[0], config.actions[1]);  // wherever the file lies
+    else if (key != "steps" && key != "patience" && key != "checkpoint-every")          // a run may be made longer
       text += fmt::format("{} = {}\n", key, value);
   return text + fmt::format("the data's signature = {:016x}\n", data);
 }
@@ -180,7 +185,8 @@ TrainReport train_policy(TrainConfig config, const RunFiles& files, unsigned thr
                            settings.windows.windows * rounds * settings.architecture.round_tokens());
     train(run, files, config.checkpoint_every, progress, log ? &*log : nullptr);
   }
-  const auto policy = run.policy();
+  auto policy = run.policy();
+  policy.action_names = {config.actions.begin(), config.actions.end()};
   sct::write_policy(files.output, policy);
   if (log) log->close(run);
 

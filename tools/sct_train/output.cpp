@@ -46,11 +46,18 @@ std::string evaluations_table(const TrainReport& report) {
 
 }  // namespace
 
+std::string game_line(const TrainConfig& config) {
+  if (!config.has_game()) return "";
+  return visible_line(fmt::format("game: {}, its actions {} (C) and {} (D)", usual_name(config.payoffs),
+                                  config.actions[0], config.actions[1]));
+}
+
 void write_text(std::ostream& out, const TrainReport& report) {
   const auto& config = report.config;
   const auto& architecture = config.training.architecture;
   out << visible_line(fmt::format("{} on {} matches: {}, {} ({}, {} rounds)", config.loss, report.lessons, config.data,
                                   config.roster, to_text(config.payoffs), config.rounds));
+  out << game_line(config);
   if (report.added > 0) out << fmt::format("and {} of its own on the way, labelled by the teacher\n", report.added);
   out << fmt::format("network: hidden {}, layers {}, heads {}, context {}; {} steps of {} windows, seed {}\n",
                      architecture.hidden, architecture.layers, architecture.heads, config.training.windows.context,
@@ -71,8 +78,10 @@ void write_text(std::ostream& out, const TrainReport& report) {
     out << fmt::format("\nagainst those held out it earns {}, {} of its beliefs right:\n\n",
                        report.clean_held_out->total, percent(report.clean_held_out->belief_accuracy))
         << opponents_table(report.held_out, *report.clean_held_out);
-  out << fmt::format("\nits belief token forced to C changes {} of its {} moves, forced to D {}\n",
-                     report.effect.changed_by_c, report.effect.rounds, report.effect.changed_by_d);
+  out << "\n"
+      << visible_line(fmt::format("its belief token forced to {} changes {} of its {} moves, forced to {} {}",
+                                  config.actions[0], report.effect.changed_by_c, report.effect.rounds,
+                                  config.actions[1], report.effect.changed_by_d));
   out << visible_line(fmt::format("written to {}", report.output));
 }
 

@@ -4,8 +4,12 @@
 #include <folk/tools/sct_train/train_report.h>
 
 #include <ostream>
+#include <string>
 
 namespace folk::tools {
+
+/// The game and what its actions are called, a line; nothing where no file says so.
+std::string game_line(const TrainConfig& config);
 
 /// Settings, the evaluations as a table, the kept policy against each opponent.
 void write_text(std::ostream& out, const TrainReport& report);

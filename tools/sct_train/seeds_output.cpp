@@ -1,5 +1,6 @@
 #include <folk/tools/program/csv.h>
 #include <folk/tools/program/table.h>
+#include <folk/tools/sct_train/output.h>
 #include <folk/tools/sct_train/report_json.h>
 #include <folk/tools/sct_train/seeds_output.h>
 
@@ -85,6 +86,7 @@ void write_seeds_text(std::ostream& out, const std::vector<TrainReport>& reports
   const auto columns = columns_of(first);
   out << fmt::format("{}: {}, {} ({}, {} rounds)\n", config.loss, config.data, config.roster, to_text(config.payoffs),
                      config.rounds);
+  out << game_line(config);
   out << fmt::format("network: hidden {}, layers {}, heads {}, context {}; {} steps of {} windows, seeds {}\n",
                      architecture.hidden, architecture.layers, architecture.heads, config.training.windows.context,
                      config.steps, config.training.windows.windows, fmt::join(seeds_of(reports), ", "));

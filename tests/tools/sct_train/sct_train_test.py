@@ -295,7 +295,7 @@ class Configuring(Training):
     def test_bad_options(self):
         for arguments, says in ((("--hidden", "0"), "--hidden '0'"), (("--steps", "1e30"), "--steps '1e30'"),
                                 (("--heads", "3"), "not divided by heads"), (("--roster", "tit_for_tut"), "tit_for_tat"),
-                                (("--payoffs", "T=4,R=3,P=1,S=0"), "Give targets"), (("--threads", "0"), "--threads"),
+                                (("--payoffs", "T=3,R=4,P=2,S=0"), "T > R > P > S"), (("--threads", "0"), "--threads"),
                                 (("--validation-seed", "1"), "numbers of their own"), (("--frobnicate",), "frobnicate"),
                                 (("--data", "best-reply", "--roster", "random(0.5)"), "random(0.5) mixes"),
                                 (("--data", "best-reply", "--roster", 'exec:"cat"'), "opaque player"),
@@ -329,6 +329,71 @@ class Configuring(Training):
     def test_training_that_diverges_says_so(self):
         self.refused(2, "--hidden", "8", "--layers", "1", "--learning-rate", "1", "--weight-decay", "1000", "--warmup", "0",
                      "--steps", "400", "--evaluate-every", "1000", "--rounds", "10", says="training has diverged")
+
+
+class Games(Training):
+    """Any symmetric 2x2 game: stag hunt, chicken, another dilemma."""
+
+    # The same without targets: the game says which returns to ask for.
+    PLAIN = tuple(word for word in SMALL if word not in ("--targets", "70,90")) + ("--steps", "12")
+    CHICKEN = 'NFG 1 R "Chicken" { "A" "B" }\n{ { "Swerve" "Dare" }\n{ "Swerve" "Dare" }\n}\n""\n6 6 7 2 2 7 0 0\n'
+
+    def parts(self, name):
+        """What a policy says of itself, and the bytes of its parameters."""
+        data = self.policy(name)
+        end = 8 + int.from_bytes(data[:8], "little")
+        return json.loads(data[8:end])["__metadata__"], data[end:]
+
+    def test_stag_hunt(self):
+        game = ROOT / "examples" / "stag_hunt.nfg"
+        told = self.trained(*self.PLAIN, "--game", game, "--output", "stag.bin", "--format", "json")
+        config = json.loads(told)["config"]
+        # Both C pays 4, the most there is; the payoffs range over 4.
+        self.assertEqual((config["targets"], config["return-scale"], config["payoffs"]),
+                         ("110.4:120:4.8", "80", "T=3,R=4,P=3,S=0"))
+        said, _ = self.parts("stag.bin")
+        self.assertEqual((said["action_names"], said["payoffs"]), ('["Stag","Hare"]', "T=3,R=4,P=3,S=0"))
+        self.file("again.conf", "".join(f"{key} = {value}\n" for key, value in config.items()))
+        shown = self.trained("--config", "again.conf", "--output", "again.bin")
+        self.assertEqual(self.policy("stag.bin"), self.policy("again.bin"))
+        self.assertIn("game: stag hunt, its actions Stag (C) and Hare (D)\n", shown)
+        self.assertRegex(shown, r"belief token forced to Stag changes \d+ of its 120 moves, forced to Hare \d+")
+        match = ("sct:stag.bin", "all_d", "--rounds", "30")
+        self.assertIn("C is Stag, D is Hare", self.run_program(*match, "--game", game, program="ipd-match").stdout)
+        self.refused(2, *match, program="ipd-match", says=("T=3,R=4,P=3,S=0", "--extrapolate"))
+        self.assertIn("it was trained on 30 rounds of T=3,R=4,P=3,S=0",
+                      self.run_program(*match, "--extrapolate", program="ipd-match").stdout)
+        claims = self.run_program("stag.bin", "all_d", "--depth", "1", program="sce-check").stdout
+        self.assertIn("game stag hunt (T=3,R=4,P=3,S=0), finite:30", claims)
+        self.assertIn("C is Stag, D is Hare", claims)
+
+    def test_chicken_with_a_teacher(self):
+        self.file("chicken.nfg", self.CHICKEN)
+        told = json.loads(self.trained(*self.PLAIN, "--game", "chicken.nfg", "--data", "best-reply", "--targets", "100",
+                                       "--format", "json"))
+        self.assertEqual(told["config"]["payoffs"], "T=7,R=6,P=0,S=2")
+        scores = {one["name"]: one["score"] for one in told["kept"]["opponents"]}
+        self.assertTrue(0 <= scores["all_d"] <= 60, scores)  # against Dare for ever at most 2 a round
+
+    def test_payoffs_of_another_size_train_the_same_network(self):
+        """Returns are divided by a scale that goes with the payoffs: at twice the payoffs the same numbers come in."""
+        self.trained(*self.PLAIN, "--output", "one.bin")
+        self.trained(*self.PLAIN, "--payoffs", "T=10,R=6,P=2,S=0", "--output", "two.bin")
+        (one, parameters), (two, others) = self.parts("one.bin"), self.parts("two.bin")
+        self.assertEqual(parameters, others)
+        self.assertEqual((one["return_scale"], two["return_scale"]), ("100", "200"))
+        self.assertEqual(2 * float(one["return_target"]), float(two["return_target"]))
+
+    def test_refusals(self):
+        self.file("chicken.nfg", self.CHICKEN)
+        self.refused(2, "--game", "chicken.nfg", "--payoffs", "T=5,R=3,P=1,S=0", says="contradict")
+        self.refused(3, "--config", self.file("bad.conf", "steps = 1\npayoffs = T=7,R=6,P=0,S=2\n"),
+                     says=("bad.conf:2: ", "T > R > P > S"))
+        self.refused(2, "--game", self.file("same.nfg", self.CHICKEN.replace("6 6 7 2 2 7 0 0", "1 1 1 1 1 1 1 1")),
+                     says="no move earns more than another")
+        self.refused(2, "--game", self.file("long.nfg", self.CHICKEN.replace("Dare", "D" * 101)), says="cannot be kept")
+        self.refused(2, "--game", self.file("other.nfg", self.CHICKEN.replace("7 0 0", "8 0 0")), says="not symmetric")
+        self.refused(3, "--game", "nowhere.nfg", says="nowhere.nfg")
 
 
 class Data(Training):
