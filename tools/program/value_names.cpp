@@ -20,7 +20,7 @@ constexpr std::array all_values{
         "aggregate-repetitions steps hidden layers heads context batch warmup evaluate-every validation-repetitions "
         "validation-seed checkpoint-every depth episodes numpy-seed selection-seed episode transitions first-episode "
         "memory first-update update-every evaluation-episodes patience population "
-        "individuals generations runs evaluations most-kinds "},
+        "individuals generations runs evaluations most-kinds sample "},
     Values{"X",
            " regret-temperature situation-temperature learning-rate final-learning-rate weight-decay clip return-scale "
            "return-jitter tolerance action-penalty conservatism imitation target-noise target-noise-clip discount "
@@ -36,6 +36,8 @@ constexpr std::array all_values{
     Values{"CRITERION", " criterion "},
     Values{"FORMAT", " format plot "},
     Values{"MIN,MAX", " scale "},
+    Values{"N[:SAMPLES]", " sub-rosters "},
+    Values{"K|settled", " from "},
     Values{"PLAYER", " predators prey "},
     Values{"LIST", " targets mpe-train_study_only mpe-train_study_seeds seeds mark start "},
     Values{
