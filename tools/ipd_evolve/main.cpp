@@ -167,6 +167,8 @@ int run_question(const po::variables_map& values, const Common& common) {
   const PlayedScores played = chosen_scores(values, common, seed, threads);
   const EvolveQuestion question = chosen_question(values, played.scores);
   const Setting setting{played, question, common, folder, picture, seed, threads};
+  // Only the scores and the generations of a class are shared work.
+  if (question.question != Question::evolution && !crew().first()) return done;
   switch (question.question) {
     case Question::evolution: evolve(setting, journal); break;
     case Question::runs: simulate(setting, journal); break;

@@ -50,6 +50,9 @@ TEST(PieceJournal, RefusesWhatIsNotItsOwnAndWhatIsDamaged) {
   EXPECT_THROW(read_piece_journal(text, "j", 6), InputFileError);
   for (const std::string other : {"", "folk evolution journal 1\n", "folk piece journal 1\n"})
     EXPECT_THROW(read_piece_journal(other, "j", 7), InputFileError) << other;
+  std::string damaged = text;
+  damaged[text.find("three")] = 'T';
+  EXPECT_THROW(read_piece_journal(damaged, "j", 7), InputFileError);
   const std::size_t last = text.size() - piece_record(7, 12, "a.b").size();
   for (std::size_t i = 0; i < last; ++i) {
     std::string bad = text;

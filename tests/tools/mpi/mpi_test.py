@@ -93,9 +93,10 @@ class SameBytes(Scratch):
         self.assertEqual((ranks.returncode, ranks.stdout), (0, alone.stdout), ranks)
 
     def test_populations(self):
-        asked = ("--strategies", "memory(2,1)", "--rounds", "100", "--generations", "30")
-        alone, ranks = (run(n, *asked, program=BIN / "ipd-evolve") for n in (1, 2))
-        self.assertEqual((ranks.returncode, ranks.stdout), (0, alone.stdout), ranks)
+        for asked in (("--strategies", "memory(2,1)", "--rounds", "100", "--generations", "30"),
+                      ("--strategies", "all_c,all_d,tit_for_tat", "--fixation")):
+            alone, ranks = (run(n, *asked, program=BIN / "ipd-evolve") for n in (1, 2))
+            self.assertEqual((ranks.returncode, ranks.stdout), (0, alone.stdout), ranks)
 
 
 @unittest.skipUnless(MPIRUN and COMPONENTS, "no mpirun here, or Folk's component for MPI is not built")
