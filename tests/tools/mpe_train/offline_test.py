@@ -143,6 +143,7 @@ class Interruptions(Offline):
                 self.assertEqual(self.results(learner),
                                  tuple((SHARED / f"{learner}.{end}").read_bytes() for end in ("safetensors", "csv")))
 
+    @unittest.skipIf(SLOW, "kill -9 takes the same way on")
     def test_a_signal_is_one_line_and_loses_nothing(self):
         for learner, number, steps in (("sct", signal.SIGINT, SCT_STEPS), ("bc", signal.SIGTERM, BC_STEPS)):
             with self.subTest(learner=learner):
@@ -464,6 +465,7 @@ class DamagedPolicies(Offline):
             self.assertTrue(done.stderr.startswith(b"mpe-evaluate: f.st: "), done.stderr)
         return done.returncode
 
+    @unittest.skipIf(SLOW, "fuzz_particle_policy has thousands")
     def test_damage(self):
         chance = random.Random(7)
         for learner in ("bc", "omar", "sct") if SLOW else ("bc", "ma-bcq", "omar", "madt", "sct"):

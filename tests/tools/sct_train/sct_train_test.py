@@ -25,6 +25,7 @@ SMALL = ("--hidden", "8", "--layers", "1", "--batch", "8", "--learning-rate", "0
          "--roster", "tit_for_tat,all_d,pavlov,spiteful", "--rounds", "30", "--targets", "70,90",
          "--validation-repetitions", "2")
 RUN = (*SMALL, "--steps", "150", "--evaluate-every", "40", "--checkpoint-every", "7")
+SLOW = "FOLK_SANITIZED" in os.environ
 
 
 class Training(unittest.TestCase):
@@ -106,6 +107,7 @@ class Resuming(Training):
     def test_killed_and_resumed_ends_in_the_same_bytes(self):
         self.killed_and_resumed(1)
 
+    @unittest.skipIf(SLOW, "the test before has one thread")
     def test_killed_and_resumed_ends_in_the_same_bytes_with_two_threads(self):
         self.killed_and_resumed(2)
 
@@ -578,6 +580,7 @@ class Log(Training):
 class Seeds(Training):
     RUN = (*SMALL, "--steps", "30", "--evaluate-every", "10", "--checkpoint-every", "7")
 
+    @unittest.skipIf(SLOW, "trains four times; the next test kills such a run")
     def test_are_the_single_runs(self):
         told = json.loads(self.trained(*self.RUN, "--seeds", "2..3,7", "--output", "sct.bin", "--log", "log.csv",
                                        "--checkpoint", "runs", "--format", "json"))
