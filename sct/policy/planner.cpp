@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace folk::sct {
 
@@ -62,10 +61,7 @@ void Planner::look_further(std::size_t round, const std::array<double, 4>& payof
   const Matrix<float>& hidden = branches_.grow(tokens(round, outcomes, after), parents);
   Matrix<float> logits;
   heads_.belief(mind_.policy.parameters.data(), hidden, logits);
-  for (std::size_t i = 0; i < after.size(); ++i) {
-    const Index row = index(i);
-    after[i].belief = 1 / (1 + std::exp(static_cast<double>(logits(row, 1)) - static_cast<double>(logits(row, 0))));
-  }
+  for (std::size_t i = 0; i < after.size(); ++i) after[i].belief = first_class(logits, index(i));
   levels_.push_back(std::move(after));
 }
 

@@ -37,9 +37,8 @@ public:
   /// `mind` must outlive this. Throws UsageError for a depth out of range.
   Planner(const Mind& mind, const PlanSettings& settings);
 
-  /// The next rounds of a match of which at most `left` are left; `payoffs` by outcome, `reward_scale` what payoffs are
-  /// divided by in return tokens. `thinker` thinks of the present. `forced_belief`: the other's present move, whatever
-  /// is believed.
+  /// The next rounds of a match of which at most `left` are left; `payoffs` by outcome. `thinker` thinks of the
+  /// present. `forced_belief`: the other's present move, whatever is believed.
   Plan plan(Thinker& thinker, const MatchSoFar& so_far, const std::array<double, 4>& payoffs, unsigned left,
             std::optional<std::uint8_t> forced_belief = std::nullopt);
 

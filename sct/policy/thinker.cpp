@@ -27,12 +27,11 @@ Policy playable(Policy policy) {
   return policy;
 }
 
-/// P(class 0) of two logits.
-double first_class(const Matrix<float>& logits) {
-  return 1 / (1 + std::exp(static_cast<double>(logits(0, 1)) - static_cast<double>(logits(0, 0))));
-}
-
 }  // namespace
+
+double first_class(const Matrix<float>& logits, Index row) {
+  return 1 / (1 + std::exp(static_cast<double>(logits(row, 1)) - static_cast<double>(logits(row, 0))));
+}
 
 MatchSoFar begin_match(double target) {
   MatchSoFar so_far;

@@ -42,6 +42,9 @@ MatchSoFar begin_match(double target);
 /// A round was played: what was really moved, which move was held likelier, what it paid (scaled).
 void add_round(MatchSoFar& so_far, Move own, Move theirs, Move believed, double reward);
 
+/// P(the first of two classes) by their logits in a row.
+double first_class(const Matrix<float>& logits, Index row = 0);
+
 struct Thought {
   double belief = 0.5;       ///< P(the opponent plays C)
   double cooperation = 0.5;  ///< P(own C) by the action head
