@@ -82,6 +82,7 @@ class Offline(unittest.TestCase):
 
 
 class Training(Offline):
+    @unittest.skipIf(SLOW, "the library has tests of threads")
     def test_the_same_bytes_whatever_the_threads(self):
         for learner in LEARNERS:
             with self.subTest(learner=learner):
@@ -183,6 +184,7 @@ class Interruptions(Offline):
         self.assertIn("nothing is kept without --checkpoint DIR", error)
         self.assertEqual(self.names(), [])
 
+    @unittest.skipIf(SLOW, "fuzz_checkpoint has thousands")
     def test_damaged_checkpoints(self):
         """Of the newest the one before is taken; when both are, it says which, and the results of before stay."""
         for learner in ("ma-bcq", "sct"):

@@ -496,6 +496,7 @@ class HeldOut(Training):
         self.assertEqual(done.returncode, 0, done)
         self.assertIn("note: data does not name its opponents", done.stderr)
 
+    @unittest.skipIf(SLOW, "the run before this one evaluates as often")
     def test_patience(self):
         run = (*SMALL, "--evaluate-every", "10", "--checkpoint-every", "7", "--held-out", "all_c,per_cd", "--format", "json")
         patient = (*run, "--steps", "2000", "--patience", "2")
@@ -528,6 +529,7 @@ class Log(Training):
         self.assertEqual(held_out, (self.folder / "log.csv").read_text())
         self.assertIn(",held_out_total,", held_out)
 
+    @unittest.skipIf(SLOW, "ten seconds here; test_is_the_table writes the same rows")
     def test_has_its_rows_while_it_runs(self):
         """Killed at any moment it ends with a whole row; the run that goes on neither repeats nor loses one."""
         whole = (*SMALL, "--evaluate-every", "10", "--checkpoint-every", "7")
@@ -562,6 +564,7 @@ class Log(Training):
         self.refused(4, "--log", ".", says="it is a directory")
         self.trained(*SMALL, "--steps", "5", "--log", "/dev/null")
 
+    @unittest.skipIf(SLOW, "ten seconds here; Resuming has a full disk")
     def test_a_full_disk_ends_the_run_with_whole_rows(self):
         whole = (*SMALL, "--steps", "100", "--evaluate-every", "2")
         size = len(self.trained(*whole, "--format", "csv")) // 2
