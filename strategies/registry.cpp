@@ -27,9 +27,10 @@ Call split_call(std::string_view name) {
   return {name.substr(0, open), name.substr(open + 1, name.size() - open - 2)};
 }
 
-}  // namespace
-
-namespace {
+/// A strategy with parameters may have the name of one without: sct-plan(FILE) and sct-plan.
+std::string named_key(std::string_view head, bool takes_arguments) {
+  return name_key(head) + (takes_arguments ? "()" : "");
+}
 
 [[noreturn]] void refuse_duplicate(const std::string& name) {
   throw UsageError(
@@ -57,8 +58,8 @@ void refuse_duplicates(const std::vector<Strategy>& roster) {
 void Registry::add(Description description, NamedMaker make) {
   const Call call = split_call(description.name);
   const Named named{strategies_.size(), call.arguments.has_value(), std::move(make)};
-  std::set<std::string> keys{name_key(call.head)};
-  for (const auto& alias : description.aliases) keys.insert(name_key(alias));
+  std::set<std::string> keys{named_key(call.head, named.takes_arguments)};
+  for (const auto& alias : description.aliases) keys.insert(named_key(alias, named.takes_arguments));
   for (const auto& key : keys)
     if (!named_.try_emplace(key, named).second) throw std::logic_error("two strategies are called " + key);
   strategies_.push_back(std::move(description));
@@ -91,8 +92,12 @@ void Registry::add_prefix(Description description, std::string prefix, GroupMake
 }
 
 const Registry::Named* Registry::find_named(std::string_view name) const {
-  const auto found = named_.find(name_key(split_call(name).head));
-  return found == named_.end() ? nullptr : &found->second;
+  const Call call = split_call(name);
+  const bool arguments = call.arguments.has_value();
+  for (const bool takes_arguments : {arguments, !arguments})
+    if (const auto found = named_.find(named_key(call.head, takes_arguments)); found != named_.end())
+      return &found->second;
+  return nullptr;
 }
 
 Pool Registry::item(std::string_view item, const Payoffs& payoffs) const {
@@ -131,13 +136,13 @@ Pool Registry::unlabelled(std::string_view item, const Payoffs& payoffs) const {
                                    is_roster ? "takes no parameters" : "needs its parameters in parentheses"));
     return members_of(group->second, call.arguments, payoffs);
   }
-  if (const auto named = named_.find(key); named != named_.end()) {
-    const auto& description = strategies_[named->second.description];
-    if (call.arguments.has_value() != named->second.takes_arguments)
+  if (const Named* named = find_named(item)) {
+    const auto& description = strategies_[named->description];
+    if (call.arguments.has_value() != named->takes_arguments)
       throw UsageError(fmt::format(
           "'{}': {}", excerpt(item),
           call.arguments ? "takes no parameters" : fmt::format("needs its parameters, as in {}", description.name)));
-    return {{named->second.make(description.name, call.arguments.value_or(""), payoffs)}, {}};
+    return {{named->make(description.name, call.arguments.value_or(""), payoffs)}, {}};
   }
   for (const auto& form : forms_)
     if (auto strategy = form.make(item, payoffs)) return {{*std::move(strategy)}, {}};
@@ -203,7 +208,8 @@ const Description& Registry::describe(std::string_view item) const {
 
 void Registry::unknown(std::string_view name) const {
   std::vector<NameCandidate> candidates;
-  for (const auto& [key, named] : named_) candidates.push_back({key, strategies_[named.description].name});
+  for (const auto& [key, named] : named_)
+    candidates.push_back({key.substr(0, key.find('(')), strategies_[named.description].name});
   for (const auto& group : groups_) candidates.push_back({name_key(split_call(group.name).head), group.name});
   const auto names = nearest_names(name, candidates);
   throw UsageError(fmt::format("unknown strategy '{}'{}; 'ipd-strategies list' shows all", excerpt(name),

@@ -3,6 +3,7 @@
 #include <folk/analysis/replies/posterior.h>
 #include <folk/games/error.h>
 #include <folk/games/rational.h>
+#include <folk/strategies/names.h>
 #include <folk/strategies/programs/program_rules.h>
 
 #include <fmt/format.h>
@@ -159,17 +160,27 @@ private:
 
 // ---- its name ----------------------------------------------------------------------------------------------------
 
-/// "SPEC;depth=H" as SPEC and H. Other semicolons belong to SPEC, as in mem1(c;1,0,0,1).
+/// "SPEC;depth=H;slip=E" as SPEC, H and E. Other semicolons belong to SPEC, as in mem1(c;1,0,0,1).
 struct Arguments {
   std::string_view spec;
-  std::optional<unsigned> depth;
+  std::optional<unsigned> depth{};
+  double slip = 0;
 };
 
 Arguments arguments_of(std::string_view text) {
-  const auto [spec, last] = split_last_argument(text);
-  const auto given = last ? value_of_option(*last, "depth") : std::nullopt;
-  if (!given) return {text, std::nullopt};
-  return {spec, static_cast<unsigned>(parse_whole_number(*given, "bayes depth", 1, most_lookahead))};
+  Arguments arguments{text};
+  constexpr double most_slip = 0.25;
+  for (;;) {
+    const auto [spec, last] = split_last_argument(arguments.spec);
+    const auto given = [&](std::string_view option) { return last ? value_of_option(*last, option) : std::nullopt; };
+    if (const auto depth = given("depth"); depth && !arguments.depth)
+      arguments.depth = static_cast<unsigned>(parse_whole_number(*depth, "bayes depth", 1, most_lookahead));
+    else if (const auto slip = given("slip"); slip && arguments.slip == 0)
+      arguments.slip = parse_number(*slip, "bayes slip", 1e-9, most_slip);
+    else
+      return arguments;
+    arguments.spec = spec;
+  }
 }
 
 /// SPEC with every name as the registry writes it; what is no single name stays as it was given.
@@ -189,8 +200,19 @@ std::string canonical(const Registry& registry, std::string_view spec, const Pay
   return names;
 }
 
+/// Who has weights or slips, or is of a class too large to be listed.
+Strategy read_weighted_bayes(const Registry& registry, const Arguments& arguments, const Payoffs& payoffs) {
+  auto prior = read_prior(registry, arguments.spec, payoffs);
+  prior.slip = arguments.slip;
+  const unsigned depth = arguments.depth.value_or(default_lookahead);
+  const std::string slip = arguments.slip > 0 ? fmt::format(";slip={}", arguments.slip) : "";
+  return bayes_strategy(fmt::format("bayes({};depth={}{})", trimmed(arguments.spec), depth, slip), std::move(prior),
+                        depth);
+}
+
 Strategy read_bayes(const Registry& registry, std::string_view text, const Payoffs& payoffs) {
-  auto [spec, depth] = arguments_of(text);
+  auto [spec, depth, slip] = arguments_of(text);
+  if (slip > 0 || has_weights(spec)) return read_weighted_bayes(registry, {spec, depth, slip}, payoffs);
   auto roster = registry.roster(spec, payoffs);
   const bool exact =
       roster.size() <= most_exact_members &&
@@ -203,21 +225,28 @@ Strategy read_bayes(const Registry& registry, std::string_view text, const Payof
 
 }  // namespace
 
-Strategy bayes_strategy(std::string name, std::vector<Strategy> roster, std::optional<unsigned> depth) {
-  if (depth && (*depth == 0 || *depth > most_lookahead))
-    throw UsageError(fmt::format("{}: a depth of {} rounds, expected 1 to {}", name, *depth, most_lookahead));
-  const Posterior posterior(roster);
+Strategy bayes_strategy(std::string name, OpponentPrior prior, unsigned depth) {
+  if (depth == 0 || depth > most_lookahead)
+    throw UsageError(fmt::format("{}: a depth of {} rounds, expected 1 to {}", name, depth, most_lookahead));
   Strategy strategy;
   strategy.name = std::move(name);
   strategy.deterministic = true;
-  if (depth) {
-    strategy.make_player = [posterior, depth] { return std::make_unique<LookaheadPlayer>(posterior, *depth); };
-  } else {
-    std::string mend = strategy.name;
-    mend.insert(mend.size() - (mend.ends_with(')') ? 1 : 0), fmt::format(";depth={}", default_lookahead));
-    const auto games = std::make_shared<SolvedGames>(strategy.name, std::move(mend), std::move(roster));
-    strategy.make_player = [games] { return std::make_unique<ExactPlayer>(games); };
-  }
+  strategy.make_player = [posterior = Posterior(std::move(prior)), depth] {
+    return std::make_unique<LookaheadPlayer>(posterior, depth);
+  };
+  return strategy;
+}
+
+Strategy bayes_strategy(std::string name, std::vector<Strategy> roster, std::optional<unsigned> depth) {
+  auto prior = equal_prior(roster);
+  if (depth) return bayes_strategy(std::move(name), std::move(prior), *depth);
+  Strategy strategy;
+  strategy.name = std::move(name);
+  strategy.deterministic = true;
+  std::string mend = strategy.name;
+  mend.insert(mend.size() - (mend.ends_with(')') ? 1 : 0), fmt::format(";depth={}", default_lookahead));
+  const auto games = std::make_shared<SolvedGames>(strategy.name, std::move(mend), std::move(roster));
+  strategy.make_player = [games] { return std::make_unique<ExactPlayer>(games); };
   return strategy;
 }
 
@@ -225,7 +254,8 @@ void add_bayes(Registry& registry) {
   const auto known = std::make_shared<const Registry>(registry);
   registry.add({"bayes(SPEC;depth=H)",
                 {},
-                "knows the roster SPEC, learns whom it meets; optimal for finite:T, or H rounds ahead",
+                "knows the roster SPEC, learns whom it meets; optimal for finite:T, or H rounds ahead; weights as in "
+                "3*classics,memory(2,2)",
                 "Kalai & Lehrer, Econometrica 61, 1993"},
                [known](const std::string&, std::string_view text, const Payoffs& payoffs) {
                  return read_bayes(*known, text, payoffs);

@@ -1,6 +1,7 @@
 #pragma once
 // bayes(SPEC): the player who knows the roster and learns in play which of its members is met.
 
+#include <folk/analysis/replies/opponent_prior.h>
 #include <folk/strategies/registry.h>
 #include <folk/strategies/strategy.h>
 
@@ -29,9 +30,13 @@ inline constexpr std::size_t most_exact_members = 100;
 /// above most_lookahead.
 Strategy bayes_strategy(std::string name, std::vector<Strategy> roster, std::optional<unsigned> depth);
 
-/// Adds "bayes(SPEC)" and "bayes(SPEC;depth=H)", SPEC being a roster of what the registry knows now. A roster that
-/// mixes or has more than most_exact_members members gets the depth default_lookahead if none is given, and the
-/// strategy's name states it: bayes(gtft(0.3),all_d) is called bayes(gtft(0.3),all_d;depth=5).
+/// The player who looks ahead on what may have weights, classes and slips in it.
+Strategy bayes_strategy(std::string name, OpponentPrior prior, unsigned depth);
+
+/// Adds "bayes(SPEC)", "bayes(SPEC;depth=H)" and "bayes(SPEC;depth=H;slip=E)", SPEC being a roster of what the registry
+/// knows now, whose items may have weights (read_prior). A roster that mixes, has weights, slips, or has more than
+/// most_exact_members members gets the depth default_lookahead if none is given, and the strategy's name states it:
+/// bayes(gtft(0.3),all_d) is called bayes(gtft(0.3),all_d;depth=5).
 void add_bayes(Registry& registry);
 
 }  // namespace folk

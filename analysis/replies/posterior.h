@@ -1,9 +1,10 @@
 #pragma once
-// What a play reveals about which machine of a roster is met, and looking ahead a few rounds on it.
+// What a play reveals about whom one has met, and looking ahead a few rounds on it.
 
+#include <folk/analysis/replies/class_posterior.h>
+#include <folk/analysis/replies/opponent_prior.h>
 #include <folk/games/move.h>
 #include <folk/strategies/machine.h>
-#include <folk/strategies/strategy.h>
 
 #include <array>
 #include <cstddef>
@@ -12,18 +13,19 @@
 
 namespace folk {
 
-/// Bayes' rule over a roster of machines, which may mix and count: each starts with the same weight, and every round
-/// multiplies it by the probability of the move that was seen.
+/// Bayes' rule over machines, which may mix and count, and over complete classes: every round multiplies the weight of
+/// each by the probability of the move that was seen. Where moves slip, what has become less likely than 10^-12 is
+/// forgotten.
 class Posterior {
 public:
-  /// Throws UsageError on an empty roster and on an opaque player.
-  explicit Posterior(const std::vector<Strategy>& roster);
+  /// Throws UsageError on a prior of nobody, or with a weight or slip that is out of range.
+  explicit Posterior(OpponentPrior prior);
 
-  /// A new match: every member is as likely, at its start.
+  /// A new match: everybody is as likely as the prior says, at its start.
   void reset();
 
-  /// False when no member of the roster would have played so.
-  bool possible() const { return !members_.empty(); }
+  /// False when nobody of the prior would have played so.
+  bool possible() const { return !members_.machines.empty() || !members_.classes.empty(); }
 
   /// P(the opponent plays C now); it must be possible().
   double cooperation() const;
@@ -32,9 +34,11 @@ public:
   void observe(Move own, Move theirs);
 
   /// The expected payoff of the next `depth` rounds when one's own move is C and when it is D, the rest being played
-  /// best; a round weighs `continuation` times the one before. Takes up to 4^depth steps for each member (2^depth for
-  /// one that does not mix).
-  std::array<double, 2> action_values(const std::array<double, 4>& payoffs, unsigned depth, double continuation) const;
+  /// best; a round weighs `continuation` times the one before. A move of theirs that is less likely than
+  /// `least_probability` is taken to lead where the likelier one does. Takes up to 4^depth steps for each member
+  /// (2^depth for one that neither mixes nor slips).
+  std::array<double, 2> action_values(const std::array<double, 4>& payoffs, unsigned depth, double continuation,
+                                      double least_probability = 0) const;
 
 private:
   struct Member {
@@ -42,16 +46,37 @@ private:
     State state;
     double weight;
   };
-  using Members = std::vector<Member>;
+  struct ClassMember {
+    ClassPosterior known;
+    double weight;
+  };
+  struct Members {
+    std::vector<Member> machines;
+    std::vector<ClassMember> classes;
+  };
+  struct Chances {
+    double all;
+    double cooperating;
+  };
+  struct Search {
+    const std::array<double, 4>& payoffs;
+    double continuation;
+    double least_probability;
+  };
 
   /// As action_values, the weights not being divided by their sum; `rooms[0]` is where the next round's members go.
-  static std::array<double, 2> totals(const Members& members, const std::array<double, 4>& payoffs, unsigned depth,
-                                      double continuation, Members* rooms);
+  std::array<double, 2> totals(const Members& members, const Search& search, unsigned depth, Members* rooms) const;
+
+  Chances chances(const Members& members) const;
+  double slipped(double cooperation) const;
 
   /// Those that play `theirs` now, with their weights and states after the round.
-  static void consistent(const Members& members, Move own, Move theirs, Members& left);
+  void consistent(const Members& members, Move own, Move theirs, Members& left) const;
 
-  std::vector<std::shared_ptr<const Machine>> roster_;
+  /// Of the members those of at least this weight.
+  static Members likely(const Members& members, double weight);
+
+  OpponentPrior prior_;
   Members members_;
 };
 

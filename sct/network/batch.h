@@ -24,6 +24,7 @@ struct Batch {
   std::vector<S> observations;             ///< [rounds, agents, observation_size]
   std::vector<std::int32_t> timesteps;     ///< rows of the time table  [rounds]
   Actions<S> opponent;                     ///< one opponent
+  std::vector<S> belief_targets;           ///< probability of each class; empty: as moved  [rounds, action_size]
   Actions<S> own;                          ///< of each agent, as played: what the action tokens say
   Actions<S> wanted;                       ///< of each agent, what the policy loss asks for; empty: as played
   std::vector<S> action_weights;           ///< of each round in the policy loss; empty: all 1  [rounds]

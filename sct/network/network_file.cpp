@@ -29,11 +29,15 @@ std::string token_layout(const Architecture& architecture) {
   return "return" + each("observation") + (architecture.belief_token ? " belief" : "") + each("action");
 }
 
-/// What the numbers of an observation say: in a 2x2 game the last outcome, one of five set to 1.
+/// What the numbers of an observation say: in a 2x2 game the last outcome, or some, one of five set to 1.
 std::string observation_meaning(const Architecture& architecture) {
+  constexpr std::size_t outcome_size = 5;
+  const std::size_t remembered = architecture.observation_size / outcome_size;
   const bool outcomes = architecture.discrete && architecture.agents == 1 && architecture.action_size == 2 &&
-                        architecture.observation_size == 5;
-  return outcomes ? "start CC CD DC DD" : "numbers";
+                        architecture.observation_size == remembered * outcome_size;
+  if (!outcomes) return "numbers";
+  return remembered == 1 ? "start CC CD DC DD"
+                         : fmt::format("start CC CD DC DD, of each of the last {} rounds", remembered);
 }
 
 const char* truth(bool value) { return value ? "true" : "false"; }

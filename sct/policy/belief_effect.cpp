@@ -1,26 +1,60 @@
 #include <folk/analysis/play/parallel.h>
 #include <folk/sct/data/recorded_play.h>
 #include <folk/sct/policy/belief_effect.h>
+#include <folk/sct/policy/planner.h>
 #include <folk/sct/policy/sct_player.h>
+
+#include <algorithm>
+#include <optional>
 
 namespace folk::sct {
 namespace {
 
-Move greedy(const Thought& thought) { return likelier_move(thought.cooperation); }
+/// The moves of a policy in one match, by its action head or by its plans.
+class Mover {
+public:
+  explicit Mover(const Mind& mind)
+      : mind_(mind),
+        thinker_(mind) {
+    const auto& training = mind.policy.training;
+    if (training.plan_depth > 0) planner_.emplace(mind, PlanSettings{.depth = training.plan_depth});
+  }
+
+  struct Act {
+    double belief;
+    Move move;
+  };
+
+  Act operator()(const MatchSoFar& so_far, std::optional<std::uint8_t> forced = std::nullopt) {
+    const auto& training = mind_.policy.training;
+    if (!planner_) {
+      const auto thought = thinker_.think(so_far, forced);
+      return {thought.belief, likelier_move(thought.cooperation)};
+    }
+    const std::uint64_t left = training.rounds - so_far.own.size();
+    const auto plan = planner_->plan(thinker_, so_far, training.payoffs.numbers(),
+                                     static_cast<unsigned>(std::min<std::uint64_t>(left, most_plan_depth)), forced);
+    return {plan.belief, plan.better()};
+  }
+
+private:
+  const Mind& mind_;
+  Thinker thinker_;
+  std::optional<Planner> planner_;
+};
 
 BeliefEffect effect_in(const Trajectory& match, const Mind& mind) {
   const auto& training = mind.policy.training;
-  Thinker thinker(mind);
-  MatchSoFar so_far = begin_match(training.return_target / training.return_scale);
+  Mover mover(mind);
+  MatchSoFar so_far = begin_match(mind.return_token(training.return_target));
   BeliefEffect effect;
   for (std::size_t t = 0; t < match.rounds(); ++t) {
-    const auto thought = thinker.think(so_far);
+    const auto acted = mover(so_far);
     if (mind.policy.architecture.belief_token) {
-      effect.changed_by_c += greedy(thinker.think(so_far, 0)) != match.own[t] ? 1U : 0U;
-      effect.changed_by_d += greedy(thinker.think(so_far, 1)) != match.own[t] ? 1U : 0U;
+      effect.changed_by_c += mover(so_far, 0).move != match.own[t] ? 1U : 0U;
+      effect.changed_by_d += mover(so_far, 1).move != match.own[t] ? 1U : 0U;
     }
-    add_round(so_far, match.own[t], match.theirs[t], likelier_move(thought.belief),
-              match.rewards[t] / training.return_scale);
+    add_round(so_far, match.own[t], match.theirs[t], likelier_move(acted.belief), mind.return_token(match.rewards[t]));
     ++effect.rounds;
   }
   return effect;

@@ -6,8 +6,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace folk::sct {
+namespace {
+
+/// What is remembered of the observations `seen` once one more round is played.
+std::vector<std::uint8_t> continued(const std::vector<std::uint8_t>& seen, Outcome played, std::size_t remembered) {
+  const std::size_t kept = std::min(seen.size(), remembered - 1);
+  std::vector<std::uint8_t> after(seen.end() - static_cast<std::ptrdiff_t>(kept), seen.end());
+  after.push_back(observation_of(played.own, played.theirs));
+  return after;
+}
+
+}  // namespace
 
 Planner::Planner(const Mind& mind, const PlanSettings& settings)
     : mind_(mind),
@@ -23,7 +35,7 @@ Plan Planner::plan(Thinker& thinker, const MatchSoFar& so_far, const std::array<
   Plan plan;
   plan.belief = thinker.believe(so_far);
   const double present = forced_belief ? (*forced_belief == 0 ? 1.0 : 0.0) : plan.belief;
-  levels_.assign(1, Level{Situation{present, so_far.returns.back()}});
+  levels_.assign(1, Level{Situation{present, so_far.returns.back(), so_far.observations}});
   const Thinker::Present now = thinker.present();
   branches_.begin(now.stream, now.tokens);
   const unsigned depth = std::clamp(left, 1U, settings_.depth);
@@ -45,7 +57,6 @@ Plan Planner::plan(Thinker& thinker, const MatchSoFar& so_far, const std::array<
 
 /// Adds the level of the situations before `round` (rounds count from 0).
 void Planner::look_further(std::size_t round, const std::array<double, 4>& payoffs) {
-  const auto scale = static_cast<float>(mind_.policy.training.return_scale);
   Level& before = levels_.back();
   Level after;
   std::vector<std::size_t> parents, outcomes;
@@ -54,7 +65,8 @@ void Planner::look_further(std::size_t round, const std::array<double, 4>& payof
       const double probability = o % 2 == 0 ? before[i].belief : 1 - before[i].belief;
       if (probability < settings_.least_probability) continue;
       before[i].next[o] = after.size();
-      after.push_back({0.5, before[i].asked - static_cast<float>(payoffs[o]) / scale});
+      after.push_back({0.5, before[i].asked - static_cast<float>(mind_.return_token(payoffs[o])),
+                       continued(before[i].seen, all_outcomes[o], mind_.remembered())});
       parents.push_back(i);
       outcomes.push_back(o);
     }
@@ -75,8 +87,8 @@ Matrix<float> Planner::tokens(std::size_t round, const std::vector<std::size_t>&
     const Outcome played = all_outcomes[outcomes[i]];
     for (const std::size_t t : {round - 1, round}) {
       batch.returns.push_back(situations[i].asked);
-      for (std::size_t k = 0; k < observation_size; ++k)
-        batch.observations.push_back(k == observation_of(played.own, played.theirs) ? 1.0F : 0.0F);
+      const auto& seen = situations[i].seen;
+      append_observations(seen, seen.size() - 1, mind_.remembered(), batch.observations);
       batch.timesteps.push_back(static_cast<std::int32_t>(std::min(t, architecture.time_rows - 1)));
       batch.opponent.classes.push_back(static_cast<std::int32_t>(bit(played.theirs)));
       batch.own.classes.push_back(static_cast<std::int32_t>(bit(played.own)));
@@ -115,6 +127,12 @@ std::array<double, 2> Planner::values(const Situation& situation, const std::vec
     if (followed > 0) values[own] += settings_.continuation * later / followed;
   }
   return values;
+}
+
+Move Plan::better() const {
+  constexpr double rounding = 1e-5;
+  const auto [c, d] = values;
+  return d > c + rounding * std::max(std::abs(c), std::abs(d)) ? Move::D : Move::C;
 }
 
 }  // namespace folk::sct

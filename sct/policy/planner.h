@@ -10,10 +10,6 @@
 
 namespace folk::sct {
 
-/// Rounds that a policy looks ahead where nothing is said, and the most it can.
-inline constexpr unsigned default_plan_depth = 4;
-inline constexpr unsigned most_plan_depth = 10;
-
 /// How far, and how much of it, is looked at.
 struct PlanSettings {
   unsigned depth = default_plan_depth;  ///< rounds, 1 to most_plan_depth; fewer are left at the end of finite:T
@@ -27,6 +23,9 @@ struct Plan {
   double belief = 0.5;             ///< P(the opponent plays C)
   std::array<double, 2> values{};  ///< expected payoff of the rounds looked at when one's own move is C, is D
   std::size_t situations = 1;      ///< in which the network was asked for its belief
+
+  /// The move that is worth more, C where both are worth the same up to the rounding of the network.
+  Move better() const;
 };
 
 /// Expectimax over beliefs: V_1(x) = max over m of E u(m, their move), V_h(x) = max over m of E [u(m, their move) +
@@ -48,6 +47,7 @@ private:
   struct Situation {
     double belief = 0.5;
     float asked = 0;                                          // the return token
+    std::vector<std::uint8_t> seen{};                         // the observations that the present one tells of
     std::array<std::size_t, 4> next{none, none, none, none};  // in the next level, by outcome
   };
   using Level = std::vector<Situation>;

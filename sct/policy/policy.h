@@ -23,6 +23,10 @@ std::string_view to_string(LossMode mode);
 /// Throws UsageError for any other word.
 LossMode parse_loss_mode(std::string_view text);
 
+/// Rounds that a policy looks ahead where nothing is said, and the most it can.
+inline constexpr unsigned default_plan_depth = 4;
+inline constexpr unsigned most_plan_depth = 10;
+
 /// How and on what a policy was trained; what a player needs of it, and what a reader wants to cite.
 struct TrainingRecord {
   LossMode mode = LossMode::teacher;
@@ -33,6 +37,8 @@ struct TrainingRecord {
   std::string criterion = "finite:100";
   double return_scale = 100;   ///< returns are divided by it before they are embedded
   double return_target = 300;  ///< the return it is asked for at the start of a match, unscaled
+  bool shows_return = true;    ///< else return tokens hold 0, so that a belief cannot say what a wish needs
+  unsigned plan_depth = 0;     ///< rounds that it looks ahead on its beliefs at play; 0: its action head moves
   std::uint64_t seed = 1;
   std::uint64_t steps = 0;       ///< of the optimiser
   double final_belief_loss = 0;  ///< end of the training curve

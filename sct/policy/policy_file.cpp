@@ -42,7 +42,7 @@ Texts metadata_of(const Policy& policy) {
   std::vector<std::string> names;
   for (const std::string& name : policy.action_names) names.push_back(utf8(name));
   Texts texts{
-      {"format", std::string(policy_format)},
+      {"format", std::string(t.plan_depth > 0 || !t.shows_return ? planning_policy_format : policy_format)},
       {"action_names", nlohmann::json(names).dump()},
       {"loss_mode", std::string(to_string(t.mode))},
       {"data", utf8(t.data)},
@@ -58,6 +58,10 @@ Texts metadata_of(const Policy& policy) {
       {"final_action_loss", fmt::format("{}", t.final_action_loss)},
       {"code_version", utf8(t.code_version)},
   };
+  if (texts["format"] == planning_policy_format) {
+    texts["return_token"] = t.shows_return ? "shown" : "hidden";
+    texts["plan_depth"] = fmt::to_string(t.plan_depth);
+  }
   texts.merge(architecture_texts(policy.architecture));
   return texts;
 }
@@ -88,6 +92,8 @@ void check(const Policy& policy, const ParameterLayout& layout) {
   if (t.rounds < 1 || t.rounds > Criterion::most_rounds)
     throw UsageError(fmt::format("rounds = {}: expected 1 to {}", t.rounds, Criterion::most_rounds));
   Criterion::parse(t.criterion);
+  if (t.plan_depth > most_plan_depth)
+    throw UsageError(fmt::format("plan_depth = {}: expected at most {}", t.plan_depth, most_plan_depth));
 }
 
 /// "T=5,R=3,P=1,S=0" in this order: of any symmetric 2x2 game, where parse_payoffs wants a prisoner's dilemma.
@@ -133,6 +139,15 @@ TrainingRecord parse_training(const Metadata& metadata) {
   t.final_belief_loss = metadata.real("final_belief_loss");
   t.final_action_loss = metadata.real("final_action_loss");
   t.code_version = metadata.text("code_version");
+  if (metadata.text("format") == planning_policy_format) {
+    const auto& token = metadata.text("return_token");
+    if (token != "shown" && token != "hidden") metadata.wrong("return_token", "shown or hidden");
+    t.shows_return = token == "shown";
+    t.plan_depth = static_cast<unsigned>(
+        std::min<std::uint64_t>(metadata.whole<std::uint64_t>("plan_depth"), most_plan_depth + 1));
+    if (t.shows_return && t.plan_depth == 0)
+      metadata.wrong("format", fmt::format("{} of such a policy", policy_format));
+  }
   return t;
 }
 
@@ -141,9 +156,9 @@ void check_format(const Texts& metadata) {
   const auto found = metadata.find("format");
   if (found == metadata.end() || !found->second.starts_with(format_family))
     throw UsageError("a safetensors file, but no policy of Folk; name one that sct-train wrote");
-  if (found->second != policy_format)
-    throw UsageError(fmt::format("a policy in format '{}', but this Folk reads {}; use the Folk that wrote it",
-                                 excerpt(found->second), policy_format));
+  if (found->second != policy_format && found->second != planning_policy_format)
+    throw UsageError(fmt::format("a policy in format '{}', but this Folk reads {} and {}; use the Folk that wrote it",
+                                 excerpt(found->second), policy_format, planning_policy_format));
 }
 
 /// The first key that another program has put beside those of a policy, where the checksum is right but for such keys;

@@ -11,8 +11,10 @@
 
 namespace folk::sct {
 
-/// What the metadata key "format" says in the files that this Folk writes and reads.
+/// What the metadata key "format" says in the files that this Folk writes and reads; the second in files of policies
+/// that plan or whose return tokens are hidden, which the first does not know.
 inline constexpr std::string_view policy_format = "folk-sct-1";
+inline constexpr std::string_view planning_policy_format = "folk-sct-2";
 
 /// No policy file that Folk reads is larger than this.
 inline constexpr std::size_t largest_policy_file = std::size_t{1} << 30U;

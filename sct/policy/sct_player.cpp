@@ -18,7 +18,8 @@ public:
   TransformerPlayer(std::string name, std::shared_ptr<const Mind> mind, const PlayOptions& options)
       : name_(std::move(name)),
         mind_(std::move(mind)),
-        options_(options) {}
+        options_(options),
+        plan_depth_(options.plan_depth.value_or(mind_->policy.training.plan_depth)) {}
 
   void start(const MatchStart& match) override {
     const auto& training = mind_->policy.training;
@@ -29,7 +30,7 @@ public:
     double target = options_.target.value_or(training.return_target);
     if (match.criterion.is_finite() && match.criterion.rounds() < training.rounds)
       target *= static_cast<double>(match.criterion.rounds()) / static_cast<double>(training.rounds);
-    so_far_ = begin_match(target / training.return_scale);
+    so_far_ = begin_match(mind_->return_token(target));
     random_ = RandomStream(match.random);
     thought_.reset();
     thinker_.emplace(*mind_);
@@ -44,7 +45,7 @@ public:
 
   void observe(Move own, Move theirs) override {
     add_round(so_far_, own, theirs, likelier_move(thought_ ? thought_->belief : 0.5),
-              rewards_[Outcome{own, theirs}.index()] / mind_->policy.training.return_scale);
+              mind_->return_token(rewards_[Outcome{own, theirs}.index()]));
     thought_.reset();
   }
 
@@ -92,18 +93,15 @@ private:
     if (!thinker_) thinker_.emplace(*mind_);
     std::optional<std::uint8_t> forced;
     if (options_.forced_belief) forced = static_cast<std::uint8_t>(bit(*options_.forced_belief));
-    thought_ = options_.plan_depth ? plan(forced) : thinker_->think(so_far_, forced);
+    thought_ = plan_depth_ > 0 ? plan(forced) : thinker_->think(so_far_, forced);
   }
 
-  /// The move that is worth more, C where both are worth the same up to the rounding of the network.
   Thought plan(std::optional<std::uint8_t> forced) {
-    if (!planner_) planner_.emplace(*mind_, PlanSettings{.depth = *options_.plan_depth, .continuation = continuation_});
+    if (!planner_) planner_.emplace(*mind_, PlanSettings{.depth = plan_depth_, .continuation = continuation_});
     const std::uint64_t left = rounds_ ? *rounds_ - so_far_.own.size() : most_plan_depth;
     const Plan plan = planner_->plan(*thinker_, so_far_, rewards_,
                                      static_cast<unsigned>(std::min<std::uint64_t>(left, most_plan_depth)), forced);
-    const auto [c, d] = plan.values;
-    constexpr double rounding = 1e-5;
-    return {plan.belief, d > c + rounding * std::max(std::abs(c), std::abs(d)) ? 0.0 : 1.0};
+    return {plan.belief, plan.better() == Move::D ? 0.0 : 1.0};
   }
 
   /// Takes over what the other keeps for its next thoughts too: the same rounds thought through in other portions would
@@ -127,6 +125,7 @@ private:
   std::string name_;
   std::shared_ptr<const Mind> mind_;
   PlayOptions options_;
+  unsigned plan_depth_;
   std::optional<Thinker> thinker_;
   std::optional<Planner> planner_;
   MatchSoFar so_far_;

@@ -17,6 +17,7 @@ struct PlayOptions {
   bool extrapolate = false;             ///< play games, criteria and rounds it was not trained on
   std::optional<Move> forced_belief{};  ///< this stands in the belief slot, whatever is believed
   /// Rounds that it looks ahead: its moves are a best reply to its beliefs (planner.h), whatever its action head says.
+  /// 0: the action head moves; none: as the policy says.
   std::optional<unsigned> plan_depth{};
 };
 

@@ -18,12 +18,13 @@ std::vector<std::size_t> play_tokens(const Architecture& architecture) {
 Policy playable(Policy policy) {
   const auto& architecture = policy.architecture;
   if (architecture.agents != 1 || !architecture.discrete || architecture.action_size != 2 ||
-      architecture.observation_size != observation_size)
+      architecture.observation_size % observation_size != 0 ||
+      architecture.observation_size / observation_size > most_remembered)
     throw UsageError(fmt::format(
         "the policy has {} agents, {} actions of size {} and observations of size {}: a player of 2x2 games has one "
-        "agent, two actions and observations of size {}",
+        "agent, two actions and observations of size {} for each of at most {} rounds",
         architecture.agents, architecture.discrete ? "discrete" : "continuous", architecture.action_size,
-        architecture.observation_size, observation_size));
+        architecture.observation_size, observation_size, most_remembered));
   return policy;
 }
 
@@ -67,8 +68,7 @@ void Thinker::embed_rounds(const MatchSoFar& so_far, const std::vector<std::uint
   Batch<float> batch;
   for (std::size_t t = first; t <= now; ++t) {
     batch.returns.push_back(so_far.returns[t]);
-    for (std::size_t k = 0; k < observation_size; ++k)
-      batch.observations.push_back(k == so_far.observations[t] ? 1.0F : 0.0F);
+    append_observations(so_far.observations, t, mind_.remembered(), batch.observations);
     batch.timesteps.push_back(static_cast<std::int32_t>(std::min(t, architecture.time_rows - 1)));
     batch.opponent.classes.push_back(t < slots.size() ? slots[t] : 0);
     batch.own.classes.push_back(t < now ? so_far.own[t] : 0);

@@ -22,6 +22,14 @@ struct Mind {
   Network<float> network;
   Heads<float> heads;  ///< on the hidden states of the observation and, where there is one, of the belief token
 
+  /// Rounds that an observation tells of.
+  std::size_t remembered() const { return policy.architecture.observation_size / observation_size; }
+
+  /// What a return token holds of a return or reward.
+  double return_token(double unscaled) const {
+    return policy.training.shows_return ? unscaled / policy.training.return_scale : 0;
+  }
+
   bool believes() const { return policy.training.mode != LossMode::action_only; }
 };
 

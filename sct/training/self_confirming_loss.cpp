@@ -6,10 +6,17 @@
 namespace folk::sct {
 namespace {
 
+/// What actions are compared with: classes, or probabilities of all classes where there are some.
+template <class S>
+struct Truth {
+  const std::int32_t* classes;  // [rows, players]
+  const S* probabilities;       // [rows, players, classes], or null
+};
+
 /// Sum over rows of weight * cross-entropy of `logits` (several players' side by side) and its gradient, times
 /// `factor`.
 template <class S>
-double cross_entropy(const Matrix<S>& logits, std::size_t classes, const std::int32_t* truth, const S* weights,
+double cross_entropy(const Matrix<S>& logits, std::size_t classes, const Truth<S>& truth, const S* weights,
                      double factor, Matrix<S>& d) {
   const Index size = index(classes);
   const Index players = logits.cols() / size;
@@ -23,10 +30,16 @@ double cross_entropy(const Matrix<S>& logits, std::size_t classes, const std::in
       const S most = row.maxCoeff();
       d_row = (row - most).exp();
       const S total = d_row.sum();
-      const Index right = truth[r * players + i];
-      sum += weight * (std::log(static_cast<double>(total)) - static_cast<double>(row(right) - most));
       d_row *= static_cast<S>(weight) / total;
-      d_row(right) -= static_cast<S>(weight);
+      const auto learn = [&](Index action, double probability) {
+        sum += weight * probability * (std::log(static_cast<double>(total)) - static_cast<double>(row(action) - most));
+        d_row(action) -= static_cast<S>(weight * probability);
+      };
+      const Index cell = r * players + i;
+      if (truth.probabilities == nullptr)
+        learn(truth.classes[cell], 1);
+      else
+        for (Index k = 0; k < size; ++k) learn(k, static_cast<double>(truth.probabilities[cell * size + k]));
     }
   }
   return sum;
@@ -45,15 +58,20 @@ double squared_error(const Matrix<S>& out, const S* truth, const S* weights, dou
   return sum;
 }
 
-/// The loss of predicted actions, players side by side.
+/// The loss of predicted actions, players side by side. `probabilities`: of the classes, or none.
 template <class S>
 double action_loss(const Architecture& architecture, const Matrix<S>& out, const Actions<S>& truth,
-                   std::size_t first_round, const S* weights, double denominator, Matrix<S>& d) {
+                   const std::vector<S>& probabilities, std::size_t first_round, const S* weights, double denominator,
+                   Matrix<S>& d) {
   const auto players = static_cast<std::size_t>(out.cols()) / architecture.action_size;
   const double cells = denominator * static_cast<double>(players);
   if (architecture.discrete)
-    return cross_entropy(out, architecture.action_size, truth.classes.data() + first_round * players, weights,
-                         1 / cells, d);
+    return cross_entropy(
+        out, architecture.action_size,
+        Truth<S>{truth.classes.data() + first_round * players,
+                 probabilities.empty() ? nullptr
+                                       : probabilities.data() + first_round * static_cast<std::size_t>(out.cols())},
+        weights, 1 / cells, d);
   return squared_error(out, truth.numbers.data() + first_round * static_cast<std::size_t>(out.cols()), weights,
                        1 / (cells * static_cast<double>(architecture.action_size)), d);
 }
@@ -145,8 +163,8 @@ Losses SelfConfirmingLoss<S>::operator()(const S* parameters, const Chunk<S>& ch
   network_.forward(parameters, chunk, first, tapes_[0]);
   if (believes) {
     first_.belief(parameters, tapes_[0].hidden, predictions_.belief);
-    losses.belief = action_loss(architecture, predictions_.belief, batch.opponent, chunk.first_round,
-                                static_cast<const S*>(nullptr), denominators.rounds, d_belief_);
+    losses.belief = action_loss(architecture, predictions_.belief, batch.opponent, batch.belief_targets,
+                                chunk.first_round, static_cast<const S*>(nullptr), denominators.rounds, d_belief_);
   }
   if (two_passes()) {
     feed_beliefs(chunk);
@@ -157,7 +175,7 @@ Losses SelfConfirmingLoss<S>::operator()(const S* parameters, const Chunk<S>& ch
   auto& tape = tapes_[two_passes() ? 1 : 0];
   acting.action(parameters, tape.hidden, predictions_.action);
   const S* weights = batch.action_weights.empty() ? nullptr : batch.action_weights.data() + chunk.first_round;
-  losses.action = action_loss(architecture, predictions_.action, batch.policy_target(), chunk.first_round, weights,
+  losses.action = action_loss(architecture, predictions_.action, batch.policy_target(), {}, chunk.first_round, weights,
                               denominators.action_weight, d_action_);
   Predictions<S> d_auxiliary;
   if (architecture.auxiliary) {

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -13,15 +14,31 @@ namespace folk::sct {
 
 TrainingRun::TrainingRun(RunSettings settings, const TrainingSettings& training, std::vector<Lesson> lessons,
                          std::vector<Strategy> roster, TrainingRecord record,
-                         std::shared_ptr<const BayesTeacher> teacher)
+                         std::shared_ptr<const BayesTeacher> teacher, std::shared_ptr<const Exploration> exploration)
     : settings_(std::move(settings)),
       training_(training),
       roster_(std::move(roster)),
       record_(std::move(record)),
       teacher_(std::move(teacher)),
+      exploration_(std::move(exploration)),
       trainer_(training, std::move(lessons)) {
   if (settings_.targets.empty()) throw UsageError("there is no target to ask a policy for: give one at least");
   if (settings_.evaluate_every == 0) throw UsageError("evaluations every 0 steps: give 1 at least");
+  if (!exploration_) return;
+  if (settings_.explore_every == 0 || settings_.explore_matches == 0)
+    throw UsageError("exploring needs a number of steps and of matches: give 1 at least");
+  trainer_.lessons().resize(2 * settings_.explore_matches);
+  explore(0);
+  explore(1);
+}
+
+/// Portion n of what is explored stands in the half n % 2 of the lessons; after step s the portions s / explore_every
+/// and the next are there.
+void TrainingRun::explore(std::uint64_t portion) {
+  const std::uint64_t size = settings_.explore_matches;
+  auto lessons = exploration_->matches(training_.seed, portion * size, size, training_.threads);
+  std::move(lessons.begin(), lessons.end(),
+            trainer_.lessons().begin() + static_cast<std::ptrdiff_t>(portion % 2 * size));
 }
 
 void TrainingRun::step() {
@@ -31,6 +48,7 @@ void TrainingRun::step() {
         fmt::format("training has diverged: the loss of step {} is {}; lower learning-rate or clip, or lengthen warmup",
                     steps(), losses.total()));
   losses_.add(losses);
+  if (exploration_ && steps() % settings_.explore_every == 0) explore(steps() / settings_.explore_every + 1);
   if (teacher_ && settings_.aggregate_every > 0 && steps() % settings_.aggregate_every == 0) aggregate();
 }
 
@@ -106,6 +124,10 @@ void TrainingRun::restore(Checkpoint checkpoint) {
         checkpoint.training.optimiser.steps, settings_.patience, checkpoint.history[*end].steps));
   trainer_.restore(std::move(checkpoint.training));
   out_of_patience_ = end.has_value();
+  if (exploration_) {
+    explore(steps() / settings_.explore_every);
+    explore(steps() / settings_.explore_every + 1);
+  }
   losses_ = checkpoint.losses;
   added_ = std::move(checkpoint.added);
   trainer_.lessons().insert(trainer_.lessons().end(), added_.begin(), added_.end());

@@ -3,6 +3,7 @@
 
 #include <folk/analysis/play/sampled_play.h>
 #include <folk/games/progress.h>
+#include <folk/sct/data/exploration.h>
 #include <folk/sct/policy/policy.h>
 #include <folk/sct/training/aggregation.h>
 #include <folk/sct/training/checkpoint.h>
@@ -29,6 +30,8 @@ struct RunSettings {
   std::uint64_t aggregate_every = 0;        ///< steps between additions to the data by a teacher; 0: none
   std::uint64_t aggregate_repetitions = 4;  ///< matches against each opponent whose own moves slip, beside one without
   double aggregate_slip = 0.05;             ///< their probability
+  std::uint64_t explore_every = 50;         ///< steps after which half of what was explored gives way to new matches
+  std::uint64_t explore_matches = 400;      ///< that many
   std::string description;                  ///< all that the run depends on: Checkpoint::run
 };
 
@@ -37,9 +40,11 @@ class TrainingRun {
 public:
   /// `roster`: whom the policy plays in its evaluations. `record`: what the policy file says beside what is measured.
   /// `teacher`: labels what the policy meets in training, every aggregate_every steps; null where that is 0.
+  /// `exploration`: what is learnt from, instead of `lessons`, which are none then.
   TrainingRun(RunSettings settings, const TrainingSettings& training, std::vector<Lesson> lessons,
               std::vector<Strategy> roster, TrainingRecord record,
-              std::shared_ptr<const BayesTeacher> teacher = nullptr);
+              std::shared_ptr<const BayesTeacher> teacher = nullptr,
+              std::shared_ptr<const Exploration> exploration = nullptr);
 
   std::uint64_t steps() const { return trainer_.steps(); }
   bool finished() const { return steps() >= settings_.steps || out_of_patience_; }
@@ -71,6 +76,11 @@ public:
   /// How many matches the teacher has labelled in training.
   std::size_t added() const { return added_.size(); }
 
+  /// How many explored matches have been learnt from so far.
+  std::uint64_t explored() const {
+    return exploration_ ? (steps() / settings_.explore_every + 2) * settings_.explore_matches : 0;
+  }
+
   /// The kept policy, with its target; there must be a history.
   Policy policy() const;
 
@@ -83,12 +93,14 @@ public:
 private:
   Policy policy_with(std::vector<float> parameters) const;
   void aggregate();
+  void explore(std::uint64_t portion);
 
   RunSettings settings_;
   TrainingSettings training_;
   std::vector<Strategy> roster_;
   TrainingRecord record_;
   std::shared_ptr<const BayesTeacher> teacher_;
+  std::shared_ptr<const Exploration> exploration_;
   Trainer trainer_;
   LossSums losses_;
   std::vector<Lesson> added_;

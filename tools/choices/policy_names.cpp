@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 #include <folk/games/error.h>
-#include <folk/sct/policy/planner.h>
 #include <folk/sct/policy/policy_file.h>
 #include <folk/strategies/quoted_text.h>
 
@@ -60,11 +59,10 @@ std::optional<fs::path> policy_file(std::string_view name) {
 
 namespace {
 
-/// "FILE;depth=H", or FILE alone.
+/// "FILE;depth=H", or FILE alone: as deep as the policy says, where it says so.
 Strategy planning(std::string_view arguments, const sct::PlayOptions& options) {
   auto [file, last] = split_last_argument(arguments);
   sct::PlayOptions planned = options;
-  planned.plan_depth = sct::default_plan_depth;
   if (last) {
     const auto depth = value_of_option(*last, "depth");
     if (!depth)
@@ -74,7 +72,12 @@ Strategy planning(std::string_view arguments, const sct::PlayOptions& options) {
   }
   const std::string path = unquoted(trimmed(file));
   if (path.empty()) throw UsageError("sct-plan needs the name of a policy's file, as in sct-plan(policy.bin;depth=4)");
-  return policy_strategy(fmt::format("sct-plan({};depth={})", path, *planned.plan_depth), path, planned);
+  const auto mind = read_mind(path);
+  if (!planned.plan_depth) {
+    const unsigned own = mind->policy.training.plan_depth;
+    planned.plan_depth = own > 0 ? own : sct::default_plan_depth;
+  }
+  return sct::transformer(fmt::format("sct-plan({};depth={})", path, *planned.plan_depth), mind, planned);
 }
 
 }  // namespace

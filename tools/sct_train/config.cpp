@@ -121,7 +121,7 @@ const std::vector<Key>& keys() {
   constexpr std::uint64_t any = std::numeric_limits<std::uint64_t>::max();
   static const std::vector<Key> all{
       text_key(
-          "data", "tournament (every pair of the roster), best-reply, or a folder of .npy files",
+          "data", "tournament (every pair of the roster), best-reply, explore, or a folder of .npy files",
           [](auto& c) -> auto& { return c.data; }, any_text),
       text_key(
           "roster", "SPEC of the opponents in the data and in the evaluations",
@@ -160,6 +160,17 @@ const std::vector<Key>& keys() {
           "aggregate-slip", "each move of the learner flips with this probability in them", 0, 1,
           [](auto& c) -> auto& { return c.aggregate_slip; }),
       text_key(
+          "opponents", "SPEC of whom explored matches are against, which may have weights as in 3*sct2025,memory(2,2)",
+          [](auto& c) -> auto& { return c.opponents; }, any_text),
+      real_key(
+          "opponent-slip", "each of their moves slips with this probability, as far as the labels know", 1e-6, 0.25,
+          [](auto& c) -> auto& { return c.opponent_slip; }),
+      whole_key(
+          "explore-every", "steps after which half of the explored matches give way to new ones", 1, most_steps,
+          [](auto& c) -> auto& { return c.explore_every; }),
+      whole_key(
+          "explore-matches", "so many new ones", 1, 100'000, [](auto& c) -> auto& { return c.explore_matches; }),
+      text_key(
           "loss", "teacher, selfconf, or the ablations rmadt, madt", [](auto& c) -> auto& { return c.loss; },
           check_loss),
       whole_key(
@@ -175,6 +186,19 @@ const std::vector<Key>& keys() {
           [](auto& c) -> auto& { return c.training.architecture.heads; }),
       whole_key(
           "context", "rounds of a window", 1, 4096, [](auto& c) -> auto& { return c.training.windows.context; }),
+      whole_key(
+          "remembered", "rounds that the observation of a round tells of", 1, sct::most_remembered,
+          [](auto& c) -> auto& { return c.remembered; }),
+      text_key(
+          "return-token", "what the network sees of returns: shown or hidden",
+          [](auto& c) -> auto& { return c.return_token; },
+          [](const std::string& text, const std::string& what) {
+            if (text != "shown" && text != "hidden")
+              throw UsageError(fmt::format("{} '{}': expected shown or hidden", what, excerpt(text)));
+          }),
+      whole_key(
+          "plan-depth", "rounds that the policy looks ahead on its beliefs; 0: it moves by its action head", 0,
+          sct::most_plan_depth, [](auto& c) -> auto& { return c.plan_depth; }),
       whole_key(
           "batch", "windows of a step", 1, 1'000'000, [](auto& c) -> auto& { return c.training.windows.windows; }),
       real_key(
@@ -350,6 +374,14 @@ TrainConfig train_config(const po::variables_map& values, const std::filesystem:
                                  config.data_repetitions));
   if (config.has_teacher() && config.data_is_folder())
     throw UsageError("a teacher needs matches against its roster: give data = tournament or best-reply");
+  if (config.explores() && (config.aggregate_every > 0 || config.regret_temperature > 0 || config.has_game()))
+    throw UsageError(
+        "what is explored has labels of its own, and is the dilemma: leave aggregate-every, "
+        "regret-temperature and game out");
+  if (config.explores() && config.return_token == "shown")
+    throw UsageError("explored matches have no returns to ask for: give return-token = hidden");
+  if (config.plan_depth > 0 && config.loss == "madt")
+    throw UsageError("plan-depth: there are no beliefs to plan on with loss = madt; leave it out");
   if (config.regret_temperature > 0 && config.data == "best-reply")
     throw UsageError("regret-temperature weighs moves that are imitated; a teacher weighs best replies: leave it out");
   try {
@@ -385,6 +417,7 @@ void settle(TrainConfig& config, std::uint64_t rounds) {
   if (rounds > most_rounds)
     throw UsageError(fmt::format("{}: matches of {} rounds, more than {}", config.data, rounds, most_rounds));
   config.rounds = rounds;
+  if (config.targets.empty() && config.return_token == "hidden") config.targets = "0";
   if (config.targets.empty()) config.targets = usual_targets(config.payoffs, rounds);
   constexpr int scale_of_range = 20;  // 100 in the standard dilemma, as the paper's program has it
   if (config.return_scale == 0) config.return_scale = scale_of_range * to_double(range_of(config.payoffs));
@@ -401,6 +434,8 @@ sct::TrainingSettings training_settings(const TrainConfig& config, unsigned thre
   auto settings = config.training;
   auto& architecture = settings.architecture;
   architecture.context = settings.windows.context;
+  architecture.observation_size = config.remembered * sct::observation_size;
+  settings.windows.shows_return = config.return_token == "shown";
   architecture.time_rows = config.rounds;
   settings.mode = config.loss == "selfconf" ? sct::LossMode::selfconf
                   : config.loss == "madt"   ? sct::LossMode::action_only
@@ -420,6 +455,8 @@ sct::RunSettings run_settings(const TrainConfig& config, unsigned threads) {
   settings.steps = config.steps;
   settings.evaluate_every = config.evaluate_every;
   settings.targets = targets_of(config);
+  settings.explore_every = config.explore_every;
+  settings.explore_matches = config.explore_matches;
   settings.aggregate_every = config.aggregate_every;
   settings.aggregate_repetitions = config.aggregate_repetitions;
   settings.aggregate_slip = config.aggregate_slip;

@@ -17,7 +17,7 @@ namespace folk::tools {
 
 /// Every key with its default.
 struct TrainConfig {
-  std::string data = "tournament";  ///< or "best-reply", or a folder
+  std::string data = "tournament";  ///< or "best-reply", "explore", or a folder
   std::string roster = "sct2025";
   std::uint64_t rounds = 0;   ///< 0: not given
   std::string game = "none";  ///< or a .nfg file, whose payoffs and actions these are then
@@ -30,6 +30,13 @@ struct TrainConfig {
   std::uint64_t aggregate_every = 0;
   std::uint64_t aggregate_repetitions = 4;
   double aggregate_slip = 0.05;
+  std::string opponents = "roster";  ///< or a SPEC with weights: whom explored matches are against
+  double opponent_slip = 0.002;
+  std::uint64_t explore_every = 50;
+  std::uint64_t explore_matches = 400;
+  std::uint64_t remembered = 1;
+  std::string return_token = "shown";  ///< or "hidden"
+  std::uint64_t plan_depth = 0;
   std::string loss = "teacher";
   std::string decay = "no";
   std::string targets;      ///< empty: usual_targets
@@ -48,7 +55,11 @@ struct TrainConfig {
   /// A Bayes-optimal teacher labels the data, or part of them.
   bool has_teacher() const { return data == "best-reply" || aggregate_every > 0; }
 
-  bool data_is_folder() const { return data != "tournament" && data != "best-reply"; }
+  bool explores() const { return data == "explore"; }
+  bool data_is_folder() const { return data != "tournament" && data != "best-reply" && !explores(); }
+
+  /// The SPEC of whom explored matches are against.
+  const std::string& met() const { return opponents == "roster" ? roster : opponents; }
 
   bool holds_out() const { return held_out != "none"; }
 

@@ -1,10 +1,12 @@
 #include <folk/games/outcome.h>
 #include <folk/sct/data/recorded_play.h>
+#include <folk/tools/choices/standard_names.h>
 #include <folk/tools/sct_train/data.h>
 
 #include <fmt/format.h>
 #include <folk/analysis/play/signature.h>
 #include <folk/analysis/replies/bayes_player.h>
+#include <folk/analysis/replies/opponent_prior.h>
 #include <folk/games/error.h>
 #include <folk/sct/data/data_folder.h>
 #include <folk/sct/data/regret_weights.h>
@@ -59,6 +61,14 @@ std::vector<sct::Trajectory> best_replies(const TrainConfig& config, const std::
 TrainData train_data(TrainConfig& config, const std::vector<Strategy>& roster) {
   const bool best_reply = config.data == "best-reply";
   TrainData train;
+  if (config.explores()) {
+    settle(config, config.rounds == 0 ? usual_rounds : config.rounds);
+    auto prior = read_prior(standard_names(), config.met(), config.payoffs);
+    prior.slip = config.opponent_slip;
+    for (const auto& known : prior.known) train.opponents.insert(known.strategy.name);
+    train.exploration = std::make_shared<const sct::Exploration>(std::move(prior), config.payoffs, config.rounds);
+    return train;
+  }
   std::vector<sct::Trajectory> data;
   const auto hire_teacher = [&] {
     train.teacher =

@@ -3,6 +3,7 @@
 
 #include <folk/tools/sct_train/config.h>
 
+#include <folk/sct/data/exploration.h>
 #include <folk/sct/data/windows.h>
 #include <folk/sct/training/aggregation.h>
 #include <folk/strategies/strategy.h>
@@ -17,9 +18,10 @@ namespace folk::tools {
 
 /// What a run learns from at its beginning, and who labels what it meets later.
 struct TrainData {
-  std::vector<sct::Lesson> lessons;
-  std::set<std::string> opponents;                   ///< whom the players of the lessons met; "": one without a name
-  std::shared_ptr<const sct::BayesTeacher> teacher;  ///< null where the config has none
+  std::vector<sct::Lesson> lessons;                     ///< none where it explores
+  std::set<std::string> opponents;                      ///< whom the players of the lessons met; "": one without a name
+  std::shared_ptr<const sct::BayesTeacher> teacher;     ///< null where the config has none
+  std::shared_ptr<const sct::Exploration> exploration;  ///< null where it does not explore
 };
 
 /// The lessons of config.data; settles the config by their rounds. `best-reply` is the play of the best replies and of

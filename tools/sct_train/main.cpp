@@ -25,8 +25,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -71,10 +73,15 @@ Program program() {
 /// All that the end of the run depends on, a line each.
 std::string description(const TrainConfig& config, const sct::TrainingSettings& settings, std::uint64_t data) {
   std::string text = fmt::format("folk = {}\n", FOLK_VERSION);
+  const std::set<std::string> newer{"opponents",  "opponent-slip", "explore-every", "explore-matches",
+                                    "remembered", "return-token",  "plan-depth"};
+  std::map<std::string, std::string> usual;
+  for (const auto& [key, value] : key_values(TrainConfig{})) usual[key] = value;
   for (const auto& [key, value] : key_values(config))
     if (key == "decay")
       text += fmt::format("decay = {}\n", settings.optimiser.decay_steps);
-    else if ((key == "held-out" && !config.holds_out()) || (key == "game" && !config.has_game()))
+    else if ((key == "held-out" && !config.holds_out()) || (key == "game" && !config.has_game()) ||
+             (newer.contains(key) && value == usual[key]))
       continue;  // so that a checkpoint from before there was this key is still of the same run
     else if (key == "game")
       text += fmt::format("actions = {}, {}\n", config.actions[0], config.actions[1]);  // wherever the file lies
@@ -91,11 +98,13 @@ sct::TrainingRecord record_of(const TrainConfig& config, const sct::TrainingSett
     const fs::path folder = fs::path(config.data).lexically_normal();
     record.data = (folder.has_filename() ? folder : folder.parent_path()).filename().string();
   }
-  record.roster = config.roster;
+  record.roster = config.explores() ? config.met() : config.roster;
   record.payoffs = config.payoffs;
   record.rounds = config.rounds;
   record.criterion = Criterion::finite(config.rounds).to_string();
   record.return_scale = settings.windows.return_scale;
+  record.shows_return = settings.windows.shows_return;
+  record.plan_depth = static_cast<unsigned>(config.plan_depth);
   record.seed = settings.seed;
   record.code_version = FOLK_VERSION;
   return record;
@@ -174,7 +183,8 @@ TrainReport train_policy(TrainConfig config, const RunFiles& files, unsigned thr
 
   TrainReport report;
   report.lessons = data.lessons.size();
-  sct::TrainingRun run(run_plan, settings, std::move(data.lessons), roster, record_of(config, settings), data.teacher);
+  sct::TrainingRun run(run_plan, settings, std::move(data.lessons), roster, record_of(config, settings), data.teacher,
+                       data.exploration);
   if (files.checkpoints) resume(run, *files.checkpoints, common);
   std::optional<TrainingLog> log;
   if (!files.log.empty()) log.emplace(files.log, run, config.holds_out());
@@ -192,6 +202,7 @@ TrainReport train_policy(TrainConfig config, const RunFiles& files, unsigned thr
 
   report.config = std::move(config);
   report.added = run.added();
+  if (data.exploration) report.lessons = run.explored();
   report.history = run.history();
   report.kept = run.kept();
   report.stopped_early = run.stopped_early();

@@ -21,6 +21,46 @@ Lesson lesson(std::size_t rounds, double base = 0) {
   return imitation(trajectory);
 }
 
+TEST(Observations, TellOfTheLastRounds) {
+  const std::vector<std::uint8_t> seen{0, 2, 4, 1};
+  std::vector<float> numbers{7};
+  append_observations(seen, 2, 4, numbers);
+  // The newest first: 4, 2, the start, and before it the start again.
+  EXPECT_EQ(numbers, (std::vector<float>{7, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0}));
+}
+
+TEST(Windows, RememberWhatIsBeforeThem) {
+  const auto whole = lesson(30);
+  RandomStream random({1, 2, 3, 4});
+  const auto batch = draw_windows({whole}, {.windows = 50, .context = 4, .early = 0, .remembered = 3}, random);
+  for (std::size_t i = 0; i < batch.rounds(); ++i) {
+    std::vector<float> expected;
+    append_observations(whole.observations, static_cast<std::size_t>(batch.timesteps[i]), 3, expected);
+    const auto begin = batch.observations.begin() + static_cast<std::ptrdiff_t>(i * expected.size());
+    ASSERT_EQ(std::vector<float>(begin, begin + static_cast<std::ptrdiff_t>(expected.size())), expected);
+  }
+}
+
+TEST(Windows, HideReturnsAndShowWhatIsToBeBelieved) {
+  auto whole = lesson(6);
+  whole.beliefs = {0.1F, 0.2F, 0.3F, 0.4F, 0.5F, 1};
+  RandomStream random({1, 2, 3, 4});
+  const auto batch = draw_windows({whole, lesson(6)},
+                                  {.windows = 40, .context = 6, .shows_return = false, .return_jitter = 3}, random);
+  std::size_t labelled = 0;
+  for (std::size_t i = 0; i < batch.rounds(); ++i) {
+    EXPECT_EQ(batch.returns[i], 0);
+    const auto t = static_cast<std::size_t>(batch.timesteps[i]);
+    const float cooperates = batch.belief_targets[2 * i];
+    EXPECT_EQ(batch.belief_targets[2 * i + 1], 1 - cooperates);
+    if (cooperates == whole.beliefs[t])
+      ++labelled;
+    else
+      EXPECT_EQ(cooperates, 1.0F - static_cast<float>(whole.opponent[t]));
+  }
+  EXPECT_GT(labelled, 40U);
+}
+
 /// Calls look(first round in the batch, rounds) for each window.
 template <class Look>
 void for_windows(const Batch<float>& batch, Look&& look) {

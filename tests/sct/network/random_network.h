@@ -100,6 +100,12 @@ sct::Batch<S> random_batch(const sct::Architecture& architecture, std::size_t wi
   batch.returns = numbers(rounds);
   batch.observations = numbers(observed);
   batch.opponent = random_actions<S>(architecture, rounds, draw);
+  for (std::size_t i = 0; architecture.discrete && i < rounds && draw.chance(i == 0 ? 0.5 : 1); ++i) {
+    std::vector<S> weights(architecture.action_size);
+    S sum = 0;
+    for (S& weight : weights) sum += weight = static_cast<S>(draw.between(0, 3)) + static_cast<S>(0.25);
+    for (const S weight : weights) batch.belief_targets.push_back(weight / sum);
+  }
   batch.own = random_actions<S>(architecture, rounds * architecture.agents, draw);
   if (draw.chance(0.5)) batch.wanted = random_actions<S>(architecture, rounds * architecture.agents, draw);
   for (std::size_t t = 0; t < rounds && draw.chance(t == 0 ? 0.5 : 1); ++t)

@@ -17,14 +17,15 @@ const std::vector<Strategy>& roster() {
 
 /// The same count by players whose belief token is forced throughout: each is told the match as it was and asked anew.
 std::uint64_t changed(const std::shared_ptr<const Mind>& mind, Move forced) {
-  const auto matches = play_and_record(transformer("policy", mind), roster(), {}, 14, 0, 1, 1);
+  const auto matches =
+      play_and_record(transformer("policy", mind), roster(), mind->policy.training.payoffs, 14, 0, 1, 1);
   PlayOptions options;
   options.forced_belief = forced;
   const auto strategy = transformer("forced", mind, options);
   std::uint64_t count = 0;
   for (const auto& match : matches) {
     const auto player = strategy.new_player();
-    player->start({{}, Criterion::finite(14), {}});
+    player->start({mind->policy.training.payoffs, Criterion::finite(14), {}});
     for (std::size_t t = 0; t < match.rounds(); ++t) {
       count += player->move() != match.own[t] ? 1U : 0U;
       player->observe(match.own[t], match.theirs[t]);
@@ -44,6 +45,21 @@ TEST(BeliefEffect, CountsTheMovesThatAForcedBeliefChanges) {
     all += effect.changed_by_c + effect.changed_by_d;
   }
   EXPECT_GT(all, 0U) << "none of these policies heeds its belief: a poor test";
+}
+
+TEST(BeliefEffect, OfAPlannerIsThatOnItsPlans) {
+  std::uint64_t all = 0;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    Policy policy = test::playing_policy(test::trainings[0], seed);
+    policy.training.plan_depth = 2;
+    policy.training.payoffs = {5, 3, 0, 1};  // chicken, where the better move is another against D
+    const auto mind = std::make_shared<const Mind>(policy);
+    const auto effect = belief_effect(mind, roster(), 2);
+    EXPECT_EQ(effect.changed_by_c, changed(mind, Move::C));
+    EXPECT_EQ(effect.changed_by_d, changed(mind, Move::D));
+    all += effect.changed_by_c + effect.changed_by_d;
+  }
+  EXPECT_GT(all, 0U);
 }
 
 TEST(BeliefEffect, OfEachOpponentIsItsEffectAlone) {

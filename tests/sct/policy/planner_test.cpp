@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::array<double, 4> dilemma{3, 0, 5, 1};
 
-void play_on(MatchSoFar& so_far, const Outcome& played, double scale) {
-  add_round(so_far, played.own, played.theirs, Move::C, dilemma[played.index()] / scale);
+void play_on(const Mind& mind, MatchSoFar& so_far, const Outcome& played) {
+  add_round(so_far, played.own, played.theirs, Move::C, mind.return_token(dilemma[played.index()]));
 }
 
 /// Planner::plan word by word: the match is played on in every way, and thought through anew.
@@ -33,7 +33,7 @@ std::array<double, 2> searched(const Mind& mind, const MatchSoFar& so_far, const
       values[own] += probability * dilemma[played.index()];
       if (depth == 1 || probability < settings.least_probability) continue;
       MatchSoFar next = so_far;
-      play_on(next, played, mind.policy.training.return_scale);
+      play_on(mind, next, played);
       const auto [c, d] = searched(mind, next, settings, depth - 1);
       followed += probability;
       later += probability * std::max(c, d);
@@ -43,10 +43,12 @@ std::array<double, 2> searched(const Mind& mind, const MatchSoFar& so_far, const
   return values;
 }
 
-class PlannerTest : public ::testing::TestWithParam<std::tuple<LossMode, Readout>> {
+class PlannerTest : public ::testing::TestWithParam<std::tuple<LossMode, Readout, std::size_t>> {
 protected:
   static Mind mind() {
-    Policy policy = test::playing_policy({"", std::get<0>(GetParam()), std::get<1>(GetParam())});
+    Policy policy =
+        test::playing_policy({"", std::get<0>(GetParam()), std::get<1>(GetParam()), true, std::get<2>(GetParam())});
+    policy.training.shows_return = std::get<2>(GetParam()) != 7;
     return Mind(std::move(policy));
   }
 };
@@ -68,7 +70,7 @@ TEST_P(PlannerTest, FindsWhatASearchWithoutSharedTokensFinds) {
       EXPECT_NEAR(plan.belief, Thinker(mind).believe(so_far), 1e-4);
       widest = std::max(widest, plan.situations);
     }
-    play_on(so_far, all_outcomes[round % 4], mind.policy.training.return_scale);
+    play_on(mind, so_far, all_outcomes[round % 4]);
   }
   EXPECT_EQ(widest, 21U);  // 1 + 4 + 16
 }
@@ -93,15 +95,17 @@ TEST_P(PlannerTest, AForcedBeliefIsOfThePresentRoundAlone) {
   for (const std::size_t own : {0U, 1U}) {
     const Outcome played = all_outcomes[2 * own + 1];
     MatchSoFar next = so_far;
-    play_on(next, played, mind.policy.training.return_scale);
+    play_on(mind, next, played);
     const auto [c, d] = searched(mind, next, {.depth = 1}, 1);
     EXPECT_NEAR(forced.values[own], dilemma[played.index()] + std::max(c, d), 1e-3);
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, PlannerTest,
-                         ::testing::Values(std::tuple{LossMode::teacher, Readout::token},
-                                           std::tuple{LossMode::selfconf, Readout::cat}));
+                         ::testing::Values(std::tuple{LossMode::teacher, Readout::token, std::size_t{1}},
+                                           std::tuple{LossMode::teacher, Readout::token, std::size_t{3}},
+                                           std::tuple{LossMode::teacher, Readout::token, std::size_t{7}},
+                                           std::tuple{LossMode::selfconf, Readout::cat, std::size_t{2}}));
 
 TEST(Planner, RefusesDepthsOutOfRange) {
   const Mind mind(test::playing_policy({}));

@@ -15,6 +15,7 @@ struct Training {
   sct::LossMode mode = sct::LossMode::teacher;
   sct::Readout readout = sct::Readout::token;
   bool belief_token = true;
+  std::size_t remembered = 1;
 };
 
 /// Every kind of policy that plays.
@@ -24,6 +25,7 @@ inline constexpr std::array trainings{
     Training{"teacher_add", sct::LossMode::teacher, sct::Readout::add},
     Training{"selfconf_token", sct::LossMode::selfconf},
     Training{"selfconf_cat", sct::LossMode::selfconf, sct::Readout::cat},
+    Training{"remembers_three_rounds", sct::LossMode::teacher, sct::Readout::token, true, 3},
     Training{"rmadt", sct::LossMode::teacher, sct::Readout::own},
     Training{"madt", sct::LossMode::action_only, sct::Readout::own},
     Training{"madt_without_token", sct::LossMode::action_only, sct::Readout::own, false},
@@ -40,6 +42,7 @@ inline sct::Policy playing_policy(const Training& training, std::uint64_t seed =
   a.time_rows = 14;
   a.readout = training.readout;
   a.belief_token = training.belief_token;
+  a.observation_size = training.remembered * sct::observation_size;
   Draw draw(seed);
   policy.parameters = random_parameters<float>(a, draw);
   policy.training.mode = training.mode;

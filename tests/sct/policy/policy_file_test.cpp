@@ -88,6 +88,43 @@ TEST(PolicyFile, KeepsEverything) {
   }
 }
 
+// A planner that an older Folk let play by its action head would be another player: the format says so.
+TEST(PolicyFile, KeepsHowItPlays) {
+  for (const auto& [shows_return, depth] : {std::pair{true, 4U}, {false, 0U}, {false, 10U}}) {
+    Policy policy = test::small_policy();
+    policy.training.shows_return = shows_return;
+    policy.training.plan_depth = depth;
+    const auto bytes = policy_bytes(policy);
+    EXPECT_NE(bytes.find("folk-sct-2"), std::string::npos);
+    const Policy back = parse_policy(bytes, "p.bin");
+    EXPECT_EQ(back.training.shows_return, shows_return);
+    EXPECT_EQ(back.training.plan_depth, depth);
+    EXPECT_EQ(policy_bytes(back), bytes);
+  }
+  EXPECT_EQ(policy_bytes(test::small_policy()).find("folk-sct-2"), std::string::npos);
+  Policy policy = test::small_policy();
+  policy.training.plan_depth = 11;
+  test::expect_error<UsageError>([&] { policy_bytes(policy); }, "plan_depth = 11: expected at most 10");
+}
+
+TEST(PolicyFile, RefusesToPlayOtherwise) {
+  Policy policy = test::small_policy();
+  policy.training.shows_return = false;
+  policy.training.plan_depth = 4;
+  const auto bytes = policy_bytes(policy);
+  const auto refuses = [&](const std::string& old, const std::string& by, const std::string& part) {
+    auto other = bytes;
+    ASSERT_NE(other.find(old), std::string::npos) << old;
+    other.replace(other.find(old), old.size(), by);
+    expect_refusal(other, part);
+  };
+  refuses(R"("return_token":"hidden")", R"("return_token":"hiddem")",
+          "metadata 'return_token' is 'hiddem': expected shown or hidden");
+  refuses(R"("plan_depth":"4")", R"("plan_depth":"x")", "metadata 'plan_depth' is 'x'");
+  refuses("folk-sct-2", "folk-sct-3", "a policy in format 'folk-sct-3', but this Folk reads folk-sct-1 and folk-sct-2");
+  refuses("folk-sct-2", "folk-sct-1", "checksum ");
+}
+
 TEST(PolicyFile, KeepsNumbersExactly) {
   Policy policy = test::small_policy();
   policy.parameters[0] = std::numeric_limits<float>::denorm_min();

@@ -33,8 +33,11 @@ Batch<float> window(const Architecture& architecture, const MatchSoFar& so_far, 
   for (std::size_t t = first; t <= now; ++t) {
     batch.returns.push_back(so_far.returns[t]);
     batch.timesteps.push_back(static_cast<std::int32_t>(std::min(t, architecture.time_rows - 1)));
-    for (std::size_t k = 0; k < observation_size; ++k)
-      batch.observations.push_back(k == so_far.observations[t] ? 1.0F : 0.0F);
+    for (std::size_t back = 0; back < architecture.observation_size / observation_size; ++back)
+      for (std::size_t k = 0; k < observation_size; ++k) {
+        const std::size_t seen = t >= back ? so_far.observations[t - back] : start_observation;
+        batch.observations.push_back(k == seen ? 1.0F : 0.0F);
+      }
     batch.opponent.classes.push_back(slots[t]);
     batch.own.classes.push_back(t < now ? so_far.own[t] : 1);
   }

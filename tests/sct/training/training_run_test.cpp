@@ -128,6 +128,43 @@ TEST(TrainingRun, GoesOnWithWhatItsTeacherHasLabelled) {
   }
 }
 
+TEST(TrainingRun, GoesOnWithWhatItHasExplored) {
+  const auto begin = [](unsigned threads) {
+    const auto registry = Registry::standard();
+    auto prior = read_prior(registry, "tit_for_tat,2*memory(1,1)", {});
+    prior.slip = 0.01;
+    RunSettings settings;
+    settings.steps = 10;
+    settings.evaluate_every = 4;
+    settings.targets = {0};
+    settings.validation.criterion = Criterion::finite(rounds);
+    settings.explore_every = 3;
+    settings.explore_matches = 5;
+    auto training = small_settings(threads);
+    training.windows.shows_return = false;
+    training.architecture.observation_size = 2 * observation_size;
+    TrainingRecord record;
+    record.rounds = rounds;
+    record.shows_return = false;
+    record.plan_depth = 2;
+    return TrainingRun(settings, training, {}, registry.roster("tit_for_tat,all_d"), record, nullptr,
+                       std::make_shared<const Exploration>(std::move(prior), Payoffs{}, rounds));
+  };
+  auto whole = begin(1);
+  EXPECT_EQ(whole.explored(), 10U);
+  go_on(whole, 10);
+  EXPECT_EQ(whole.explored(), 25U);
+  EXPECT_EQ(whole.policy().training.plan_depth, 2U);
+  for (const std::uint64_t stop : {0, 2, 3, 4, 8}) {
+    auto first = begin(2);
+    go_on(first, stop);
+    auto second = begin(1);
+    second.restore(parse_checkpoint(checkpoint_bytes(first.checkpoint()), "saved"));
+    go_on(second, 10);
+    EXPECT_EQ(checkpoint_bytes(second.checkpoint()), checkpoint_bytes(whole.checkpoint())) << stop;
+  }
+}
+
 TEST(TrainingRun, EachAggregationDrawsItsOwnSlips) {
   RunSettings settings;
   settings.steps = 2;

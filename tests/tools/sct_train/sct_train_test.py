@@ -398,6 +398,49 @@ class Games(Training):
         self.refused(3, "--game", "nowhere.nfg", says="nowhere.nfg")
 
 
+class Exploring(Training):
+    PLAN = (*SMALL[:-4], "--targets", "0", "--data", "explore", "--opponents", "2*tit_for_tat,all_d,3*memory(1,1)",
+            "--return-token", "hidden", "--remembered", "3", "--plan-depth", "2", "--explore-every", "10",
+            "--explore-matches", "12", "--steps", "60", "--evaluate-every", "30", "--checkpoint-every", "5")
+
+    def test_a_planner_is_trained_and_plays(self):
+        told = json.loads(self.trained(*self.PLAN, "--format", "json"))
+        self.assertEqual(told["matches"], (6 + 2) * 12)
+        self.assertEqual((told["config"]["opponents"], told["config"]["plan-depth"]),
+                         ("2*tit_for_tat,all_d,3*memory(1,1)", "2"))
+        metadata = self.policy()
+        for key in (b'"format":"folk-sct-2"', b'"plan_depth":"2"', b'"return_token":"hidden"',
+                    b'"observation":"start CC CD DC DD, of each of the last 3 rounds"'):
+            self.assertIn(key, metadata)
+        match = ("--rounds", "30", "--format", "json")
+        scores = [json.loads(self.run_program(player, "all_d", *match, program="ipd-match").stdout)["first"]["total"]
+                  for player in ("sct:policy.bin", "sct-plan(policy.bin;depth=2)", "sct-plan(policy.bin)")]
+        self.assertEqual(len(set(scores)), 1, scores)
+
+    def test_killed_and_resumed_ends_in_the_same_bytes(self):
+        self.trained(*self.PLAN, "--output", "whole.bin")
+        run = (*self.PLAN, "--checkpoint", "run", "--resume", "--threads", "2")
+        process = self.start(*run)
+        self.wait_for_checkpoint(process, self.folder / "run", {f"step-{step}.checkpoint" for step in range(20)})
+        process.kill()
+        process.wait()
+        self.trained(*run)
+        self.assertEqual(self.policy(), self.policy("whole.bin"))
+
+    def test_refusals(self):
+        explore = ("--data", "explore", "--return-token", "hidden")
+        self.refused(2, "--data", "explore", says="return-token = hidden")
+        self.refused(2, *explore, "--aggregate-every", "5", says="leave aggregate-every")
+        self.refused(2, *explore, "--opponents", "0*all_d", says="0*all_d")
+        self.refused(2, *explore, "--opponents", "exec:\"cat\"", says="only machines can be learnt about")
+        self.refused(2, *explore, "--opponents", "nobody", says="nobody")
+        self.refused(2, "--plan-depth", "3", "--loss", "madt", says="no beliefs to plan on")
+        self.refused(2, "--return-token", "lost", says="expected shown or hidden")
+        self.refused(2, *explore, "--opponents", "all_d,memory(1,2)", "--held-out", "tit_for_tat",
+                     says=("tit_for_tat", "may be trained on"))
+        self.refused(2, *explore, "--opponents", "all_d", "--held-out", "all_d", says="all_d is met in training")
+
+
 class Data(Training):
     def arrays(self, rewards=(3, 0), fortran=False):
         """Two matches of two rounds: C C against C D. In Fortran order as Python 2's NumPy wrote it."""
