@@ -102,7 +102,9 @@ void BelievedWorld::note(Node node, Player& player) {
   ++thoughts_;
   const auto belief = player.belief();
   history.believes = belief.has_value();
-  if (belief) history.believed = likelier_move(*belief);
+  if (!belief) return;
+  history.belief = *belief;
+  history.believed = likelier_move(*belief);
 }
 
 void BelievedWorld::keep(Node node) {

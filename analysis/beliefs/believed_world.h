@@ -44,6 +44,7 @@ public:
   // Of a node that was thought about.
   bool believes(Node node) const { return histories_[node].believes; }
   Move believed(Node node) const { return histories_[node].believed; }  ///< the move that is held likelier
+  double belief(Node node) const { return histories_[node].belief; }    ///< P(the opponent plays C)
   Move own(Node node) const { return histories_[node].own; }
 
   /// What the player expects to come next when it moves `own`.
@@ -76,6 +77,7 @@ private:
     Move believed = Move::C;
     Move own = Move::C;
     std::uint32_t round = 0;
+    double belief = 0.5;
     std::array<Node, 4> next{none, none, none, none};
     std::unique_ptr<Player> player;  // has been told this history
   };

@@ -264,26 +264,7 @@ private:
   std::vector<std::uint64_t> searched_;
 };
 
-/// The asked rounds, 0-based and ascending.
-std::vector<std::size_t> asked_rounds(const OwnBeliefSearch& search, std::size_t rounds) {
-  std::vector<std::size_t> asked;
-  for (const std::uint64_t round : search.rounds) {
-    if (round < 1 || round > rounds)
-      throw UsageError(fmt::format("round {} of a path of {}: expected 1 to {}", round, rounds, rounds));
-    asked.push_back(round - 1);
-  }
-  if (asked.empty())
-    for (std::size_t t = 0; t < rounds; ++t) asked.push_back(t);
-  std::sort(asked.begin(), asked.end());
-  asked.erase(std::unique(asked.begin(), asked.end()), asked.end());
-  return asked;
-}
-
-void check(const std::vector<BeliefMatch>& paths, const OwnBeliefSearch& search) {
-  for (const auto& path : paths)
-    if (path.size() != paths.front().size() || path.empty())
-      throw UsageError(fmt::format("paths of {} and {} rounds: give paths of one length, 1 or more",
-                                   paths.front().size(), path.size()));
+void check(const OwnBeliefSearch& search) {
   if (search.depth < 1 || search.depth > most_search_depth)
     throw UsageError(fmt::format("a search of depth {}: expected 1 to {}", search.depth, most_search_depth));
   if (search.beam < 1) throw UsageError("a search with beam 0: expected 1 or more");
@@ -291,12 +272,31 @@ void check(const std::vector<BeliefMatch>& paths, const OwnBeliefSearch& search)
 
 }  // namespace
 
+std::vector<std::size_t> asked_rounds(const std::vector<BeliefMatch>& paths, const std::vector<std::uint64_t>& asked) {
+  const std::size_t rounds = paths.front().size();
+  for (const auto& path : paths)
+    if (path.size() != rounds || path.empty())
+      throw UsageError(
+          fmt::format("paths of {} and {} rounds: give paths of one length, 1 or more", rounds, path.size()));
+  std::vector<std::size_t> places;
+  for (const std::uint64_t round : asked) {
+    if (round < 1 || round > rounds)
+      throw UsageError(fmt::format("round {} of a path of {}: expected 1 to {}", round, rounds, rounds));
+    places.push_back(round - 1);
+  }
+  if (asked.empty())
+    for (std::size_t t = 0; t < rounds; ++t) places.push_back(t);
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  return places;
+}
+
 std::vector<std::optional<OwnBeliefGap>> own_belief_gaps(const Strategy& player, const std::vector<BeliefMatch>& paths,
                                                          const OwnBeliefSearch& search, const Progress& progress) {
   std::vector<std::optional<OwnBeliefGap>> gaps(paths.size());
   if (paths.empty() || player.machine || !player.deterministic) return gaps;
-  check(paths, search);
-  const auto rounds = asked_rounds(search, paths.front().size());
+  const auto rounds = asked_rounds(paths, search.rounds);
+  check(search);
   Search searched(player, paths, search, progress);
   const bool believes = searched.walk();
   if (believes) searched.run(rounds);

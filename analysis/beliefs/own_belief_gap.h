@@ -33,6 +33,10 @@ struct OwnBeliefGap {
   std::uint64_t searched_rounds = 0;  ///< how many rounds of the path were searched before the thoughts ran out
 };
 
+/// The asked rounds of paths of one length, 0-based and ascending; all where none is asked. Throws UsageError for paths
+/// of different lengths and a round that they do not have.
+std::vector<std::size_t> asked_rounds(const std::vector<BeliefMatch>& paths, const std::vector<std::uint64_t>& asked);
+
 /// Notion (c): the player's own belief model is the opponent that after every history plays the move which the player,
 /// told that history, holds likelier. For rounds t of a path the player stands in the true history before t; from there
 /// on its subjective world is deterministic, and the best of its own move sequences of h rounds, followed by its own

@@ -1,3 +1,4 @@
+#include <folk/analysis/beliefs/planned_belief_gap.h>
 #include <folk/analysis/equilibria/confidence_bound.h>
 #include <folk/analysis/equilibria/continuation.h>
 #include <folk/analysis/equilibria/played_examination.h>
@@ -51,7 +52,7 @@ std::vector<KnownReply> known_replies(const ExaminationQuestion& question, const
   return known;
 }
 
-Gap gap_of_search(const OwnBeliefGap& found, const PairExamination& pair, std::size_t depth) {
+Gap gap_of_search(const OwnBeliefGap& found, const PairExamination& pair, std::size_t depth, bool planned) {
   const std::size_t asked = pair.path->rounds.size();
   Gap gap = rounded_gap(found.gain, 0, {});
   gap.depth = depth;
@@ -60,6 +61,11 @@ Gap gap_of_search(const OwnBeliefGap& found, const PairExamination& pair, std::s
   if (found.gain <= 0) return gap;
   gap.witness.history = first_rounds_of(*pair.record, found.round - 1);
   gap.witness.deviation = found.own_moves.front();
+  if (planned) {
+    gap.witness.then = fmt::format("plays the best {} rounds on its beliefs (worth {:.4g} there, its own move {:.4g})",
+                                   depth, found.best_value, found.own_value);
+    return gap;
+  }
   std::string moves;
   std::string believed;
   for (const Move move : found.own_moves) moves += to_char(move);
@@ -199,16 +205,18 @@ void add_own_beliefs(const ExaminationQuestion& question, std::vector<PairExamin
       searched.push_back(&pair);
     }
   if (paths.empty()) return;
-  OwnBeliefSearch search;
-  search.payoffs = question.payoffs;
-  search.threads = question.threads;
+  const bool planned = question.policy.plans_ahead > 0;
   const std::size_t rounds = paths.front().size();
-  search.depth = std::min<std::size_t>(question.depth, rounds);
-  for (std::uint64_t t = question.from; question.from > 1 && t <= rounds; ++t) search.rounds.push_back(t);
-  const auto found = own_belief_gaps(question.policy, paths, search, progress);
+  const std::size_t depth = std::min<std::size_t>(question.belief_depth(), rounds);
+  std::vector<std::uint64_t> asked;
+  for (std::uint64_t t = question.from; question.from > 1 && t <= rounds; ++t) asked.push_back(t);
+  const auto& payoffs = question.payoffs;
+  const auto found =
+      planned ? planned_belief_gaps(question.policy, paths, {payoffs, question.threads, depth, 0.01, asked}, progress)
+              : own_belief_gaps(question.policy, paths, {payoffs, question.threads, depth, 1, 35'000, asked}, progress);
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (!found[i]) continue;
-    searched[i]->gaps.first.self_confirming_own = gap_of_search(*found[i], *searched[i], search.depth);
+    searched[i]->gaps.first.self_confirming_own = gap_of_search(*found[i], *searched[i], depth, planned);
     searched[i]->own_search = found[i];
   }
 }

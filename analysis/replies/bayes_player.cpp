@@ -231,6 +231,7 @@ Strategy bayes_strategy(std::string name, OpponentPrior prior, unsigned depth) {
   Strategy strategy;
   strategy.name = std::move(name);
   strategy.deterministic = true;
+  strategy.plans_ahead = depth;
   strategy.make_player = [posterior = Posterior(std::move(prior)), depth] {
     return std::make_unique<LookaheadPlayer>(posterior, depth);
   };
@@ -254,8 +255,7 @@ void add_bayes(Registry& registry) {
   const auto known = std::make_shared<const Registry>(registry);
   registry.add({"bayes(SPEC;depth=H)",
                 {},
-                "knows the roster SPEC, learns whom it meets; optimal for finite:T, or H rounds ahead; weights as in "
-                "3*classics,memory(2,2)",
+                "knows the roster SPEC, learns whom it meets; optimal for finite:T, or H rounds ahead",
                 "Kalai & Lehrer, Econometrica 61, 1993"},
                [known](const std::string&, std::string_view text, const Payoffs& payoffs) {
                  return read_bayes(*known, text, payoffs);

@@ -147,6 +147,14 @@ Strategy transformer(std::string name, std::shared_ptr<const Mind> mind, const P
     strategy.caveat =
         fmt::format("{} extrapolates: it was trained on {} rounds of {}, its last time row stands for later ones", name,
                     mind->policy.training.rounds, to_text(mind->policy.training.payoffs));
+  strategy.plans_ahead = options.sample ? 0 : options.plan_depth.value_or(mind->policy.training.plan_depth);
+  if (strategy.plans_ahead > 0) {
+    PlayOptions believing = options;
+    believing.plan_depth = 0;
+    strategy.make_believer = [name, mind, believing] {
+      return std::make_unique<TransformerPlayer>(name, mind, believing);
+    };
+  }
   strategy.make_player = [name = std::move(name), mind = std::move(mind), options] {
     return std::make_unique<TransformerPlayer>(name, mind, options);
   };

@@ -20,12 +20,13 @@ constexpr std::array all_values{
         "aggregate-repetitions steps hidden layers heads context batch warmup evaluate-every validation-repetitions "
         "validation-seed checkpoint-every depth episodes numpy-seed selection-seed episode transitions first-episode "
         "memory first-update update-every evaluation-episodes patience population "
-        "individuals generations runs evaluations most-kinds sample "},
+        "individuals generations runs evaluations most-kinds sample "
+        "explore-every explore-matches remembered plan-depth "},
     Values{"X",
            " regret-temperature situation-temperature learning-rate final-learning-rate weight-decay clip return-scale "
            "return-jitter tolerance action-penalty conservatism imitation target-noise target-noise-clip discount "
            "epsilon-belief epsilon-payoff exploration final-exploration averaging dropout early resilience intensity "},
-    Values{"P", " noise end-probability validation-noise aggregate-slip mutation "},
+    Values{"P", " noise end-probability validation-noise aggregate-slip opponent-slip mutation "},
     Values{"SPEC", " strategies include exclude opponents entrants class roster held-out "},
     Values{"FILE", " game config log output curve record render replay medium prey-output picture tournament journal "},
     Values{"DIR",
@@ -43,7 +44,7 @@ constexpr std::array all_values{
     Values{
         "NAME",
         " side require loss scenario reward-rule level dtype learner budget readout algorithm critic references title "
-        "decay only model income fitness "},
+        "decay only model income fitness return-token "},
 };
 
 }  // namespace

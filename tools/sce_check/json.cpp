@@ -236,7 +236,7 @@ void write_json(std::ostream& out, const SceQuestion& question, const SceReport&
                                                            : "theirs"},
                  {"epsilon_belief", question.epsilon_belief},
                  {"epsilon_payoff", to_double(question.epsilon_payoff)},
-                 {"depth", question.depth},
+                 {"depth", question.belief_depth()},
                  {"seed", question.seed},
                  {"left_out", question.left_out},
                  {"opponents", opponents},

@@ -100,7 +100,7 @@ Html question_list(const SceQuestion& question) {
   add("whose gains count", side_words(question.sides));
   add("epsilon",
       fmt::format("belief {}, payoff {}", to_short_text(question.epsilon_belief), to_text(question.epsilon_payoff)));
-  add("depth of its own search", std::to_string(question.depth));
+  add("depth of its own search", std::to_string(question.belief_depth()));
   add("seed, repetitions", fmt::format("{}, {}", question.seed, question.repetitions));
   if (!question.left_out.empty()) add("left out, without end", fmt::format("{}", fmt::join(question.left_out, ", ")));
   if (!question.policy.caveat.empty()) add("note", question.policy.caveat);

@@ -114,7 +114,8 @@ void add_sce_options(Program& program) {
   add("side", text()->default_value("both"), "whose gains a verdict is about: both, own (POLICY's) or theirs");
   add("epsilon-belief", text(), "beliefs may be as far as this from the truth (default 0.05)");
   add("epsilon-payoff", text(), "a deviation may gain as much as this (default 0)");
-  add("depth", text(), "rounds of the search on POLICY's own beliefs, 1 to 9 (default 6)");
+  add("depth", text(),
+      "rounds of the search on POLICY's own beliefs, 1 to 9 (default: as many as it plans ahead, else 6)");
   add("horizon", text(), "rounds that machines without end are followed under criteria without end");
   add("extract", "also make an automaton that plays as POLICY does");
   add("require", text(), "exit 1 when it is refuted: nash, subgame-perfect, self-confirming or beliefs");
@@ -187,7 +188,7 @@ SceQuestion sce_question(const po::variables_map& values, const Common& common) 
   question.sides = sides_of(text_option(values, "side"));
   question.epsilon_belief = parse_number(text_option(values, "epsilon-belief", "0.05"), "--epsilon-belief", 0, 1);
   question.epsilon_payoff = epsilon_payoff(values);
-  question.depth = whole_option(values, "depth", 6, 1, 9);
+  question.depth = whole_option(values, "depth", 0, 1, 9);
   question.horizon = static_cast<unsigned>(whole_option(values, "horizon", 0, 1, 10'000));
   question.extract = values.count("extract") != 0;
   if (question.extract && question.policy.machine)

@@ -33,7 +33,7 @@ void write_header(std::ostream& out, const SceQuestion& question, const SceRepor
   out << fmt::format("game {} ({}), {}{}{}, class {}, epsilon-belief {}, epsilon-payoff {}, depth {}, seed {}\n",
                      shown_title(question.game.title), to_text(question.payoffs), question.criterion.to_string(),
                      from_words(question), noise, visible_text(question.class_spec),
-                     to_short_text(question.epsilon_belief), to_text(question.epsilon_payoff), question.depth,
+                     to_short_text(question.epsilon_belief), to_text(question.epsilon_payoff), question.belief_depth(),
                      question.seed);
   if (const std::string actions = action_words(question.game); !actions.empty()) out << actions << "\n";
   if (!question.left_out.empty())

@@ -1,6 +1,7 @@
 #pragma once
 // Hand-made players with beliefs: they move as one machine does and believe that the opponent is another.
 
+#include <folk/analysis/beliefs/belief_record.h>
 #include <folk/strategies/registry.h>
 #include <folk/strategies/strategy.h>
 
@@ -8,6 +9,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace folk::test {
 
@@ -50,6 +52,16 @@ inline Strategy believer(const std::string& own, const std::string& model, bool 
   strategy.deterministic = true;
   strategy.make_player = [=] { return std::make_unique<BelievingPlayer>(plays, believes, clones); };
   return strategy;
+}
+
+/// The matches of a player with each of a roster.
+inline std::vector<BeliefMatch> paths(const Strategy& player, const std::string& spec, std::uint64_t rounds) {
+  Sampling sampling;
+  sampling.criterion = Criterion::finite(rounds);
+  std::vector<BeliefMatch> result;
+  for (const auto& record : record_beliefs(player, Registry::standard().roster(spec), sampling))
+    result.push_back(record.matches.front());
+  return result;
 }
 
 }  // namespace folk::test

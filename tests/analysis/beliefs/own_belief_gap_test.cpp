@@ -16,17 +16,9 @@ namespace {
 
 using test::believer;
 using test::expect_error;
+using test::paths;
 
 constexpr std::array payoffs{3.0, 0.0, 5.0, 1.0};
-
-std::vector<BeliefMatch> paths(const Strategy& player, const std::string& spec, std::uint64_t rounds) {
-  Sampling sampling;
-  sampling.criterion = Criterion::finite(rounds);
-  std::vector<BeliefMatch> result;
-  for (const auto& record : record_beliefs(player, Registry::standard().roster(spec), sampling))
-    result.push_back(record.matches.front());
-  return result;
-}
 
 OwnBeliefGap gap(const Strategy& player, const std::string& opponent, std::uint64_t rounds,
                  const OwnBeliefSearch& search = {}) {

@@ -237,7 +237,7 @@ TEST(PolicyFile, RefusesWhatIsNoPolicy) {
   expect_text_refusal(R"({"__metadata__": {"format": "pt"}})", "a safetensors file, but no policy of Folk");
   expect_refusal(put_together(R"({"w": {"dtype": "BF16", "shape": [1], "data_offsets": [0, 2]}})", "ab"),
                  "a safetensors file, but no policy of Folk; name one that sct-train wrote");
-  expect_metadata_refusal("format", "folk-sct-2", "a policy in format 'folk-sct-2', but this Folk reads folk-sct-1");
+  expect_metadata_refusal("format", "folk-sct-3", "a policy in format 'folk-sct-3', but this Folk reads folk-sct-1");
 }
 
 TEST(PolicyFile, RefusesADamagedHeader) {

@@ -413,7 +413,7 @@ class Exploring(Training):
                     b'"observation":"start CC CD DC DD, of each of the last 3 rounds"'):
             self.assertIn(key, metadata)
         match = ("--rounds", "30", "--format", "json")
-        scores = [json.loads(self.run_program(player, "all_d", *match, program="ipd-match").stdout)["first"]["total"]
+        scores = [json.loads(self.run_program(player, "all_d", *match, program="ipd-match").stdout)["scores"][0]
                   for player in ("sct:policy.bin", "sct-plan(policy.bin;depth=2)", "sct-plan(policy.bin)")]
         self.assertEqual(len(set(scores)), 1, scores)
 
