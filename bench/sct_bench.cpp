@@ -3,8 +3,10 @@
 #include <benchmark/benchmark.h>
 #include <folk/analysis/play/parallel.h>
 #include <folk/analysis/tournament/tournament.h>
+#include <folk/games/outcome.h>
 #include <folk/sct/data/tournament_data.h>
 #include <folk/sct/network/initial_parameters.h>
+#include <folk/sct/policy/planner.h>
 #include <folk/sct/policy/sct_player.h>
 #include <folk/sct/training/trainer.h>
 #include <folk/strategies/registry.h>
@@ -170,6 +172,31 @@ void sct_tournament(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(play_tournament(roster, core, settings).signature());
 }
 BENCHMARK(sct_tournament)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+/// One planned move in the middle of a match, by a network of the size of sct-plan. Untrained it holds every move
+/// possible, so that all 4^(depth - 1) plays are looked into; `situations` are those in which it was asked for its
+/// belief.
+void sct_planned_move(benchmark::State& state) {
+  Policy policy;
+  policy.architecture.hidden = 64;
+  policy.architecture.heads = 4;
+  policy.architecture.context = 100;
+  policy.architecture.observation_size = 6 * observation_size;
+  policy.parameters = initial_parameters(policy.architecture, 1);
+  const Mind mind(policy);
+  Thinker thinker(mind);
+  Planner planner(mind, {.depth = static_cast<unsigned>(state.range(0))});
+  MatchSoFar so_far = begin_match(0);
+  for (std::size_t t = 0; t < 50; ++t) {
+    const Outcome played = all_outcomes[t * t % 4];
+    add_round(so_far, played.own, played.theirs, Move::C, 0);
+  }
+  thinker.believe(so_far);
+  Plan plan;
+  for (auto _ : state) benchmark::DoNotOptimize(plan = planner.plan(thinker, so_far, Payoffs{}.numbers(), 50));
+  state.counters["situations"] = static_cast<double>(plan.situations);
+}
+BENCHMARK(sct_planned_move)->Arg(2)->Arg(4)->Arg(6)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace folk::sct

@@ -62,8 +62,9 @@ Gap gap_of_search(const OwnBeliefGap& found, const PairExamination& pair, std::s
   gap.witness.history = first_rounds_of(*pair.record, found.round - 1);
   gap.witness.deviation = found.own_moves.front();
   if (planned) {
-    gap.witness.then = fmt::format("plays the best {} rounds on its beliefs (worth {:.4g} there, its own move {:.4g})",
-                                   depth, found.best_value, found.own_value);
+    gap.witness.then =
+        fmt::format("the best that it sees in {} rounds (worth {:.4g} on its beliefs, its own move {:.4g})", depth,
+                    found.best_value, found.own_value);
     return gap;
   }
   std::string moves;

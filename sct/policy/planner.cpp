@@ -1,6 +1,5 @@
 #include <folk/games/error.h>
 #include <folk/games/outcome.h>
-#include <folk/sct/network/embedding.h>
 #include <folk/sct/policy/planner.h>
 
 #include <fmt/format.h>
@@ -95,15 +94,11 @@ Matrix<float> Planner::tokens(std::size_t round, const std::vector<std::size_t>&
     }
     batch.window_rounds.push_back(2);
   }
-  std::vector<std::size_t> every(architecture.round_tokens());
-  for (std::size_t i = 0; i < every.size(); ++i) every[i] = i;
-  const TokenRows rows(batch.window_rounds, every.size(), every);
   EmbeddingTape<float> tape;
   Matrix<float> embedded;
-  embed(architecture, mind_.network.embedding(), mind_.policy.parameters.data(),
-        Chunk<float>{batch, 0, 0, batch.window_rounds}, batch.opponent, rows, Dropout(), tape, embedded);
+  embed_tokens(mind_, batch, tape, embedded);
   // From the token behind the first round's observation to the second round's observation.
-  const Index all = index(every.size());
+  const Index all = index(architecture.round_tokens());
   const Index first = index(architecture.observation_token(0)) + 1;
   Matrix<float> added(index(outcomes.size()) * all, embedded.cols());
   for (Index i = 0; i < index(outcomes.size()); ++i)

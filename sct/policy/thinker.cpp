@@ -54,6 +54,15 @@ Mind::Mind(Policy trained)
       network(policy.architecture),
       heads(policy.architecture, network.layout(), play_tokens(policy.architecture)) {}
 
+void embed_tokens(const Mind& mind, const Batch<float>& batch, EmbeddingTape<float>& tape, Matrix<float>& embedded) {
+  const auto& architecture = mind.policy.architecture;
+  std::vector<std::size_t> every(architecture.round_tokens());
+  for (std::size_t i = 0; i < every.size(); ++i) every[i] = i;
+  const TokenRows rows(batch.window_rounds, every.size(), every);
+  embed(architecture, mind.network.embedding(), mind.policy.parameters.data(),
+        Chunk<float>{batch, 0, 0, batch.window_rounds}, batch.opponent, rows, Dropout(), tape, embedded);
+}
+
 Thinker::Thinker(const Mind& mind)
     : mind_(mind),
       belief_line_{Stream(mind.network, mind.policy.parameters.data())} {
@@ -74,12 +83,7 @@ void Thinker::embed_rounds(const MatchSoFar& so_far, const std::vector<std::uint
     batch.own.classes.push_back(t < now ? so_far.own[t] : 0);
   }
   batch.window_rounds = {now + 1 - first};
-  std::vector<std::size_t> every(architecture.round_tokens());
-  for (std::size_t i = 0; i < every.size(); ++i) every[i] = i;
-  const Chunk<float> chunk{batch, 0, 0, batch.window_rounds};
-  const TokenRows rows(batch.window_rounds, every.size(), every);
-  embed(architecture, mind_.network.embedding(), mind_.policy.parameters.data(), chunk, batch.opponent, rows, Dropout(),
-        embedding_, embedded_);
+  embed_tokens(mind_, batch, embedding_, embedded_);
 }
 
 /// The stream up to and with the present observation; returns the latter's hidden state.

@@ -2,6 +2,7 @@
 // What a trained policy thinks in one round of one match: its belief, and the action it takes on it.
 
 #include <folk/sct/data/windows.h>
+#include <folk/sct/network/embedding.h>
 #include <folk/sct/network/heads.h>
 #include <folk/sct/network/stream.h>
 #include <folk/sct/policy/policy.h>
@@ -49,6 +50,9 @@ MatchSoFar begin_match(double target);
 
 /// A round was played: what was really moved, which move was held likelier, what it paid (scaled).
 void add_round(MatchSoFar& so_far, Move own, Move theirs, Move believed, double reward);
+
+/// Embeds all tokens of all rounds of a batch [rounds * tokens of a round, h]; `tape` is room for it.
+void embed_tokens(const Mind& mind, const Batch<float>& batch, EmbeddingTape<float>& tape, Matrix<float>& embedded);
 
 /// P(the first of two classes) by their logits in a row.
 double first_class(const Matrix<float>& logits, Index row = 0);

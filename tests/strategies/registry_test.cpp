@@ -209,6 +209,24 @@ TEST(Registry, RefusesToGiveANameTwice) {
   EXPECT_THROW(registry.add({"PAV-LOV", {}, "another", "nobody"}, nullptr), std::logic_error);
 }
 
+TEST(Registry, TellsAStrategyWithParametersFromOneWithoutOfTheSameName) {
+  auto registry = Registry::standard();
+  const auto maker = [](double cooperation) {
+    return [=](const std::string& name, std::string_view arguments, const Payoffs&) {
+      Strategy strategy = Registry::standard().make(cooperation > 0 ? "all_c" : "all_d");
+      strategy.name = name + "/" + std::string(arguments);
+      return strategy;
+    };
+  };
+  registry.add({"plan(FILE)", {}, "with one", "nobody"}, maker(0));
+  registry.add({"plan", {}, "without", "nobody"}, maker(1));
+  EXPECT_THROW(registry.add({"plan(N)", {}, "another", "nobody"}, maker(0)), std::logic_error);
+  EXPECT_EQ(registry.make("plan").name, "plan/");
+  EXPECT_EQ(registry.make("plan(x)").name, "plan(FILE)/x");
+  EXPECT_EQ(registry.describe("plan").behaviour, "without");
+  EXPECT_EQ(registry.describe("Plan(y)").behaviour, "with one");
+}
+
 TEST(Registry, DescribesRostersAndFamilies) {
   const auto registry = Registry::standard();
   EXPECT_EQ(registry.describe("Classics").name, "classics");

@@ -374,10 +374,8 @@ TrainConfig train_config(const po::variables_map& values, const std::filesystem:
                                  config.data_repetitions));
   if (config.has_teacher() && config.data_is_folder())
     throw UsageError("a teacher needs matches against its roster: give data = tournament or best-reply");
-  if (config.explores() && (config.aggregate_every > 0 || config.regret_temperature > 0 || config.has_game()))
-    throw UsageError(
-        "what is explored has labels of its own, and is the dilemma: leave aggregate-every, "
-        "regret-temperature and game out");
+  if (config.explores() && (config.aggregate_every > 0 || config.regret_temperature > 0))
+    throw UsageError("what is explored has labels of its own: leave aggregate-every and regret-temperature out");
   if (config.explores() && config.return_token == "shown")
     throw UsageError("explored matches have no returns to ask for: give return-token = hidden");
   if (config.plan_depth > 0 && config.loss == "madt")

@@ -238,6 +238,26 @@ class FromARoundOn(unittest.TestCase):
             self.assertIn(part, done.stderr)
 
 
+class Planners(unittest.TestCase):
+    """Who plans is examined by what it claims: the best reply to its beliefs, as far ahead as it looks."""
+
+    def own(self, policy, *options):
+        report = check(policy, "--side", "own", *options)
+        return report["depth"], [pair["gaps"]["own"]["self_confirming_own"] for pair in report["opponents"]]
+
+    def test_at_its_own_depth(self):
+        for policy, depth in (("bayes(sct2025;depth=4)", 4), ("bayes(2*classics,memory(1,1);depth=3;slip=0.01)", 3)):
+            told, gaps = self.own(policy, "--opponents", "classics")
+            self.assertEqual(told, depth)
+            self.assertEqual(gaps, [0] * 17, policy)
+
+    def test_further_than_it_looks(self):
+        self.assertEqual(self.own("bayes(classics;depth=1)", "--opponents", "all_d"), (1, [0]))
+        depth, gaps = self.own("bayes(classics;depth=1)", "--opponents", "all_d", "--depth", "6")
+        self.assertEqual(depth, 6)
+        self.assertGreater(gaps[0], 1)
+
+
 @unittest.skipIf("FOLK_SANITIZED" in os.environ, "ten thousand thoughts of a transformer; sce_page_test has fewer")
 class Transformer(unittest.TestCase):
     """The shipped policy on a few opponents; the whole reports are in docs/."""
