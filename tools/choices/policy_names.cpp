@@ -52,7 +52,7 @@ std::shared_ptr<const sct::Mind> read_mind(const fs::path& file) {
 std::optional<fs::path> policy_file(std::string_view name) {
   constexpr std::string_view prefix = "sct:";
   if (name.starts_with(prefix)) return unquoted(name.substr(prefix.size()));
-  for (const std::string shipped : {"sct", "sct-bayes"})
+  for (const std::string shipped : {"sct", "sct-bayes", "sct-plan"})
     if (same_name(name, shipped)) return shipped_file(shipped);
   return std::nullopt;
 }
@@ -86,6 +86,7 @@ void add_policies(Registry& registry, const sct::PlayOptions& options) {
   add_shipped(registry, "sct",
               "self-confirming transformer, trained on the round robin of sct2025: believes, then acts", options);
   add_shipped(registry, "sct-bayes", "the same network, trained on Bayes-optimal play against sct2025", options);
+  add_shipped(registry, "sct-plan", "plays the best reply, 6 rounds ahead, to what it has learnt to believe", options);
   registry.add({"sct-plan(FILE;depth=H)",
                 {},
                 "a policy of sct-train that plays the best reply, H rounds ahead, to what it believes",

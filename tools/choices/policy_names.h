@@ -1,5 +1,5 @@
 #pragma once
-// The names of trained policies: sct, sct-bayes and sct:FILE.
+// The names of trained policies: sct, sct-bayes, sct-plan and sct:FILE.
 
 #include <folk/sct/policy/sct_player.h>
 #include <folk/strategies/registry.h>
@@ -16,7 +16,7 @@ namespace folk::tools {
 /// of the installation's or the source tree's data.
 void add_policies(Registry& registry, const sct::PlayOptions& options);
 
-/// The file that a policy's name stands for: of sct, sct-bayes or sct:FILE. Nothing for any other name.
+/// The file that a policy's name stands for: of sct, sct-bayes, sct-plan or sct:FILE. Nothing for any other name.
 std::optional<std::filesystem::path> policy_file(std::string_view name);
 
 /// Reads a policy and makes it ready to play. Throws InputFileError.

@@ -251,10 +251,10 @@ class Configuring(Training):
     def test_policies_are_judged_as_the_shipped_ones_were(self):
         told = json.loads(self.trained("--hidden", "8", "--layers", "1", "--steps", "2", "--roster", "tit_for_tat,all_d",
                                        "--format", "json"))["config"]
-        for name in ("sct", "sct-bayes"):
+        for name in ("sct", "sct-bayes", "sct-plan"):
             lines = (ROOT / "data" / "policies" / f"{name}.conf").read_text().splitlines()
             shipped = {key.strip(): value.strip() for key, _, value in (line.split("#")[0].partition("=") for line in lines)}
-            for key in ("validation-noise", "validation-repetitions", "evaluate-every"):
+            for key in ("validation-noise", "validation-repetitions"):
                 self.assertEqual(told[key], shipped[key], (name, key))
 
     def test_what_a_misspelt_key_may_mean(self):
@@ -768,9 +768,9 @@ class Names(Training):
         return {**os.environ, "FOLK_DATA": str(self.folder / "data")}
 
     def test_shipped_names(self):
-        for name in ("sct", "sct-bayes"):
+        for name, typed in (("sct", "SCT"), ("sct-bayes", "SCT_Bayes"), ("sct-plan", "Sct Plan")):
             environment = self.data(name)
-            done = self.run_program("SCT_Bayes" if name == "sct-bayes" else "SCT", "pavlov", "--rounds", "30", "--format",
+            done = self.run_program(typed, "pavlov", "--rounds", "30", "--format",
                                     "json", program="ipd-match", env=environment)
             self.assertEqual(done.returncode, 0, done)
             self.assertEqual(json.loads(done.stdout)["players"][0], name)
@@ -784,7 +784,7 @@ class Names(Training):
         self.assertRegex(done.stderr, r"^ipd-tournament: sct: there is no .*empty/policies/sct.bin; .* FOLK_DATA .*\n$")
         done = self.run_program("list", program="ipd-strategies", env=environment)
         self.assertEqual(done.returncode, 0, done)
-        for name in ("sct:FILE", "\nsct ", "\nsct-bayes "):
+        for name in ("sct:FILE", "\nsct ", "\nsct-bayes ", "\nsct-plan "):
             self.assertIn(name, done.stdout)
 
     def test_files(self):
