@@ -171,15 +171,17 @@ Arguments arguments_of(std::string_view text) {
   Arguments arguments{text};
   constexpr double most_slip = 0.25;
   for (;;) {
-    const auto [spec, last] = split_last_argument(arguments.spec);
-    const auto given = [&](std::string_view option) { return last ? value_of_option(*last, option) : std::nullopt; };
+    const LastArgument parts = split_last_argument(arguments.spec);
+    const auto given = [&](std::string_view option) {
+      return parts.last ? value_of_option(*parts.last, option) : std::nullopt;
+    };
     if (const auto depth = given("depth"); depth && !arguments.depth)
       arguments.depth = static_cast<unsigned>(parse_whole_number(*depth, "bayes depth", 1, most_lookahead));
     else if (const auto slip = given("slip"); slip && arguments.slip == 0)
       arguments.slip = parse_number(*slip, "bayes slip", 1e-9, most_slip);
     else
       return arguments;
-    arguments.spec = spec;
+    arguments.spec = parts.spec;
   }
 }
 
