@@ -107,6 +107,28 @@ void BelievedWorld::note(Node node, Player& player) {
   history.believed = likelier_move(*belief);
 }
 
+std::optional<std::vector<std::vector<BelievedWorld::Node>>> BelievedWorld::walk(const std::vector<BeliefMatch>& paths,
+                                                                                 const Progress& progress) {
+  const std::size_t rounds = paths.front().size();
+  std::vector<std::vector<Node>> nodes(paths.size(), std::vector<Node>(rounds, start));
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    for (std::size_t t = 1; t < rounds; ++t)
+      nodes[i][t] = after(nodes[i][t - 1], paths[i][t - 1].own, paths[i][t - 1].theirs);
+  for (std::size_t k = 0; k < rounds; ++k) {
+    // Who is told a whole match anew thinks about all of its rounds on the way to the last.
+    const std::size_t t = clones() ? k : rounds - 1 - k;
+    progress.check();
+    std::vector<Node> now;
+    for (const auto& path : nodes) now.push_back(path[t]);
+    think(now);
+    for (const Node node : now) {
+      if (!believes(node)) return std::nullopt;
+      keep(node);
+    }
+  }
+  return nodes;
+}
+
 void BelievedWorld::keep(Node node) {
   History& history = histories_[node];
   if (!history.player) return;

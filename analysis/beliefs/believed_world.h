@@ -1,15 +1,18 @@
 #pragma once
 // The world as a player holds it: histories, and after each of them what the player believes and would do.
 
+#include <folk/analysis/beliefs/belief_record.h>
 #include <folk/games/criterion.h>
 #include <folk/games/outcome.h>
 #include <folk/games/payoffs.h>
+#include <folk/games/progress.h>
 #include <folk/strategies/strategy.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -49,6 +52,10 @@ public:
 
   /// What the player expects to come next when it moves `own`.
   Node after(Node node, Move own) { return after(node, own, believed(node)); }
+
+  /// Thinks about the histories before each round of paths of one length, keeps a player in each, and returns their
+  /// nodes [paths][rounds]; nothing when the player holds no belief in one of them. Throws Cancelled.
+  std::optional<std::vector<std::vector<Node>>> walk(const std::vector<BeliefMatch>& paths, const Progress& progress);
 
   /// A player stays in this node, which was thought about last, until the end.
   void keep(Node node);

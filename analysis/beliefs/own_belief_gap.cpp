@@ -72,23 +72,9 @@ public:
 
   /// Follows the paths; false when the player holds no beliefs.
   bool walk() {
-    nodes_.assign(paths_.size(), std::vector<Node>(rounds_, BelievedWorld::start));
-    for (std::size_t i = 0; i < paths_.size(); ++i)
-      for (std::size_t t = 1; t < rounds_; ++t)
-        nodes_[i][t] = world_.after(nodes_[i][t - 1], paths_[i][t - 1].own, paths_[i][t - 1].theirs);
-    for (std::size_t k = 0; k < rounds_; ++k) {
-      // Who is told a whole match anew thinks about all of its rounds on the way to the last.
-      const std::size_t t = world_.clones() ? k : rounds_ - 1 - k;
-      progress_.check();
-      std::vector<Node> now;
-      for (const auto& path : nodes_) now.push_back(path[t]);
-      world_.think(now);
-      for (const Node node : now) {
-        if (!world_.believes(node)) return false;
-        world_.keep(node);
-      }
-    }
-    return true;
+    auto nodes = world_.walk(paths_, progress_);
+    if (nodes) nodes_ = std::move(*nodes);
+    return nodes.has_value();
   }
 
   void run(const std::vector<std::size_t>& rounds) {

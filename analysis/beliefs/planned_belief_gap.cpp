@@ -31,25 +31,13 @@ public:
         rounds_(paths.front().size()),
         payoffs_(options.payoffs.numbers()),
         world_(believer, options.payoffs, Criterion::finite(rounds_), options.threads),
-        nodes_(paths.size(), std::vector<Node>(rounds_, BelievedWorld::start)),
         gaps_(paths.size()) {}
 
   /// False when the player holds no beliefs.
   bool walk(const Progress& progress) {
-    for (std::size_t t = 0; t < rounds_; ++t) {
-      progress.check();
-      std::vector<Node> now;
-      for (std::size_t i = 0; i < paths_.size(); ++i) {
-        if (t > 0) nodes_[i][t] = world_.after(nodes_[i][t - 1], paths_[i][t - 1].own, paths_[i][t - 1].theirs);
-        now.push_back(nodes_[i][t]);
-      }
-      world_.think(now);
-      for (const Node node : now) {
-        if (!world_.believes(node)) return false;
-        world_.keep(node);
-      }
-    }
-    return true;
+    auto nodes = world_.walk(paths_, progress);
+    if (nodes) nodes_ = std::move(*nodes);
+    return nodes.has_value();
   }
 
   void run(const std::vector<std::size_t>& rounds, const Progress& progress) {

@@ -2,6 +2,7 @@
 #include <folk/games/outcome.h>
 #include <folk/games/text_file.h>
 #include <folk/sct/data/data_folder.h>
+#include <folk/sct/data/windows.h>
 #include <folk/sct/files/npy_file.h>
 
 #include <fmt/format.h>
@@ -19,8 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t observation_columns = 5;
-constexpr const char* observation_names[observation_columns] = {"start", "CC", "CD", "DC", "DD"};
+constexpr const char* observation_names[observation_size] = {"start", "CC", "CD", "DC", "DD"};
 
 /// Which of the five numbers is 1 before this round.
 std::size_t observation(const Trajectory& trajectory, std::size_t round) {
@@ -53,11 +53,11 @@ std::vector<Move> moves(const NpyArray& array, std::size_t n, const fs::path& pa
 
 void check_observations(const fs::path& path, const std::vector<Trajectory>& trajectories) {
   const std::size_t rounds = trajectories[0].own.size();
-  const NpyArray array = read_array(path, {trajectories.size(), rounds, observation_columns});
+  const NpyArray array = read_array(path, {trajectories.size(), rounds, observation_size});
   for (std::size_t i = 0; i < array.values.size(); ++i) {
-    const std::size_t round = i / observation_columns % rounds;
-    const std::size_t expected = observation(trajectories[i / observation_columns / rounds], round);
-    const double wanted = i % observation_columns == expected ? 1 : 0;
+    const std::size_t round = i / observation_size % rounds;
+    const std::size_t expected = observation(trajectories[i / observation_size / rounds], round);
+    const double wanted = i % observation_size == expected ? 1 : 0;
     if (array.values[i] != wanted)
       refuse_file(path.string(),
                   fmt::format("{} at [{}]: expected {}, the observation being {}; make it from the actions, or leave "
@@ -125,7 +125,7 @@ void write_data_folder(const fs::path& folder, const std::vector<Trajectory>& tr
   NpyArray own{shape, {}};
   NpyArray theirs{shape, {}};
   NpyArray rewards{shape, {}};
-  NpyArray observations{{trajectories.size(), rounds, observation_columns}, {}};
+  NpyArray observations{{trajectories.size(), rounds, observation_size}, {}};
   nlohmann::ordered_json names{{"players", nlohmann::json::array()}, {"opponents", nlohmann::json::array()}};
   for (const Trajectory& trajectory : trajectories) {
     if (trajectory.own.size() != rounds || trajectory.theirs.size() != rounds || trajectory.rewards.size() != rounds)
@@ -142,7 +142,7 @@ void write_data_folder(const fs::path& folder, const std::vector<Trajectory>& tr
                                      trajectory.rewards[round], round, excerpt(trajectory.player)));
       own.values.push_back(bit(trajectory.own[round]));
       theirs.values.push_back(bit(trajectory.theirs[round]));
-      for (std::size_t k = 0; k < observation_columns; ++k)
+      for (std::size_t k = 0; k < observation_size; ++k)
         observations.values.push_back(k == observation(trajectory, round) ? 1 : 0);
     }
   }
