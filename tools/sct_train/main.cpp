@@ -73,16 +73,16 @@ Program program() {
 /// All that the end of the run depends on, a line each.
 std::string description(const TrainConfig& config, const sct::TrainingSettings& settings, std::uint64_t data) {
   std::string text = fmt::format("folk = {}\n", FOLK_VERSION);
-  const std::set<std::string> newer{"opponents",  "opponent-slip", "explore-every", "explore-matches",
-                                    "remembered", "return-token",  "plan-depth"};
+  // At their usual values these are left out: a checkpoint from before there were such keys is still of the same run.
+  const std::set<std::string> newer{"held-out",        "game",       "opponents",    "opponent-slip", "explore-every",
+                                    "explore-matches", "remembered", "return-token", "plan-depth"};
   std::map<std::string, std::string> usual;
   for (const auto& [key, value] : key_values(TrainConfig{})) usual[key] = value;
   for (const auto& [key, value] : key_values(config))
     if (key == "decay")
       text += fmt::format("decay = {}\n", settings.optimiser.decay_steps);
-    else if ((key == "held-out" && !config.holds_out()) || (key == "game" && !config.has_game()) ||
-             (newer.contains(key) && value == usual[key]))
-      continue;  // so that a checkpoint from before there was this key is still of the same run
+    else if (newer.contains(key) && value == usual[key])
+      continue;
     else if (key == "game")
       text += fmt::format("actions = {}, {}\n", config.actions[0], config.actions[1]);  // wherever the file lies
     else if (key != "steps" && key != "patience" && key != "checkpoint-every")          // a run may be made longer
