@@ -39,20 +39,33 @@ inline bool is_exact(Method method, const Criterion& criterion) {
   return criterion.is_finite() && method <= Method::played;
 }
 
-/// How often a player's likelier guess of the other's move was right. Rounds weigh as they do in the outcomes, so that
-/// these are counts for finite.
+/// How often a player's likelier guess of the other's move was right, and how much it had expected the move that came.
+/// Rounds weigh as they do in the outcomes, so that the first two are counts for finite.
 struct Guesses {
   double right = 0;
-  double all = 0;  ///< 0 for a player without beliefs
+  double all = 0;       ///< 0 for a player without beliefs
+  double log_loss = 0;  ///< - sum of ln(probability given to the move that was played); infinite after a surprise
 
   Guesses& operator+=(const Guesses& more) {
     right += more.right;
     all += more.all;
+    log_loss += more.log_loss;
+    return *this;
+  }
+  Guesses& operator/=(double count) {
+    right /= count;
+    all /= count;
+    log_loss /= count;
     return *this;
   }
 
   /// The share that was right; nothing without a guess.
-  std::optional<double> accuracy() const { return all > 0 ? std::optional(right / all) : std::nullopt; }
+  std::optional<double> accuracy() const { return share(right); }
+  /// The mean natural log loss, nothing clipped; nothing without a guess.
+  std::optional<double> mean_log_loss() const { return share(log_loss); }
+
+private:
+  std::optional<double> share(double part) const { return all > 0 ? std::optional(part / all) : std::nullopt; }
 };
 
 /// One pair's outcomes, and for played ones the standard errors of both players' payoffs and their guesses.

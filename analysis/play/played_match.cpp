@@ -24,7 +24,8 @@ OutcomeWeights PlayedMatch::weights() const {
 }
 
 Guesses PlayedMatch::guesses(Seat seat) const {
-  return {guesses_[index(seat)].right * scale_, guesses_[index(seat)].all * scale_};
+  const Guesses& sum = guesses_[index(seat)];
+  return {sum.right * scale_, sum.all * scale_, sum.log_loss * scale_};
 }
 
 }  // namespace folk

@@ -7,6 +7,7 @@
 #include <folk/games/seat.h>
 
 #include <array>
+#include <cmath>
 
 namespace folk {
 
@@ -31,7 +32,9 @@ private:
     if (!may_believe_[index(seat)]) return;
     const auto belief = match.player(seat).belief();
     if (!belief) return;
-    guesses_[index(seat)] += {likelier_move(*belief) == theirs ? weight_ : 0, weight_};
+    const double given = theirs == Move::C ? *belief : 1 - *belief;
+    guesses_[index(seat)] +=
+        {likelier_move(*belief) == theirs ? weight_ : 0, weight_, weight_ > 0 ? -weight_ * std::log(given) : 0};
   }
 
   std::array<bool, 2> may_believe_;  // machines never do

@@ -48,10 +48,8 @@ public:
   PairResult result(Method method) const {
     PairResult mean = sum_;
     for (double& weight : mean.weights) weight /= matches_;
-    for (Guesses* guesses : {&mean.first_guesses, &mean.second_guesses}) {
-      guesses->right /= matches_;
-      guesses->all /= matches_;
-    }
+    mean.first_guesses /= matches_;
+    mean.second_guesses /= matches_;
     mean.first_error = first_payoff_.standard_error();
     mean.second_error = second_payoff_.standard_error();
     mean.method = method;

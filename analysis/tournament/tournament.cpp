@@ -220,8 +220,8 @@ void Tournament::store(std::size_t a, std::size_t b, const PairResult& result) {
   // Both seats are the same entrant: its figures are the means of the two.
   PairResult mirror = result;
   mirror.weights[1] = mirror.weights[2] = (result.weights[1] + result.weights[2]) / 2;
-  mirror.first_guesses.right = (result.first_guesses.right + result.second_guesses.right) / 2;
-  mirror.first_guesses.all = (result.first_guesses.all + result.second_guesses.all) / 2;
+  mirror.first_guesses += result.second_guesses;
+  mirror.first_guesses /= 2;
   // The two are correlated: the mean of their errors is an upper bound.
   mirror.first_error = (result.first_error + result.second_error) / 2;
   store_row(b, b, mirror);
@@ -262,9 +262,9 @@ double Tournament::standard_error(std::size_t i, std::size_t j) const {
   return errors_.empty() ? 0 : errors_[cell(i, j)];
 }
 
-std::optional<double> Tournament::belief_accuracy(std::size_t i, std::size_t j) const {
+Guesses Tournament::guesses(std::size_t i, std::size_t j) const {
   const auto& row = guesses_[behaviour_of_[i]];
-  return row.empty() ? std::nullopt : row[behaviour_of_[j]].accuracy();
+  return row.empty() ? Guesses{} : row[behaviour_of_[j]];
 }
 
 bool Tournament::has_beliefs() const {
@@ -315,13 +315,12 @@ RankingEntry Tournament::entry(std::size_t i) const {
   bool all_normalised = true;
   std::vector<double> scores;
   scores.reserve(size());
-  Guesses guesses;
   const std::size_t row = behaviour_of_[i] * behaviours_;
   for (std::size_t j = 0; j < size(); ++j) {
     if (!played(i, j)) continue;
     const std::size_t at = row + behaviour_of_[j];
     total += static_cast<long double>(scores_[at]);
-    if (!guesses_[behaviour_of_[i]].empty()) guesses += guesses_[behaviour_of_[i]][behaviour_of_[j]];
+    if (!guesses_[behaviour_of_[i]].empty()) entry.guesses += guesses_[behaviour_of_[i]][behaviour_of_[j]];
     scores.push_back(scores_[at]);
     cooperations += cooperations_[at];
     if (!errors_.empty()) error_of[behaviour_of_[j]] += errors_[at];
@@ -340,7 +339,6 @@ RankingEntry Tournament::entry(std::size_t i) const {
   entry.cooperation_rate = cooperations / count / weight;
   for (const double error : error_of) entry.error += error * error;
   entry.error = std::sqrt(entry.error);
-  entry.belief_accuracy = guesses.accuracy();
   if (all_normalised) entry.normalised = 100 * normalised_sum / scale_ / count;
   return entry;
 }

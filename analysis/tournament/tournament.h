@@ -34,12 +34,11 @@ struct RankingEntry {
   double median = 0;        ///< median over its opponents of the payoff a round
   std::size_t wins = 0;     ///< opponents that scored less in their match than it did
   double cooperation_rate = 0;
-  std::optional<double> normalised;  ///< mean of its row of normalised payoffs; nothing where one is undefined
-  Method method = Method::cycle;     ///< the least exact of its pairs'
-  std::size_t pairs_of_method = 0;   ///< how many of them were obtained so
-  double error = 0;                  ///< standard error of the total, 0 where nothing was sampled
-  /// The share of its guesses of the others' moves that was right; nothing for an entrant without beliefs.
-  std::optional<double> belief_accuracy;
+  std::optional<double> normalised;      ///< mean of its row of normalised payoffs; nothing where one is undefined
+  Method method = Method::cycle;         ///< the least exact of its pairs'
+  std::size_t pairs_of_method = 0;       ///< how many of them were obtained so
+  double error = 0;                      ///< standard error of the total, 0 where nothing was sampled
+  Guesses guesses{};                     ///< of the others' moves, over all its matches; none without beliefs
   long double total_against_roster = 0;  ///< sum of its scores against the roster proper, its own copy left out
 };
 
@@ -74,8 +73,8 @@ public:
   Method method(std::size_t i, std::size_t j) const;
   double standard_error(std::size_t i, std::size_t j) const;
 
-  /// The share of i's guesses of j's moves that was right, rounds weighing as in the score; nothing without beliefs.
-  std::optional<double> belief_accuracy(std::size_t i, std::size_t j) const;
+  /// i's guesses of j's moves, rounds weighing as in the score; none without beliefs.
+  Guesses guesses(std::size_t i, std::size_t j) const;
 
   /// True when some entrant told a belief.
   bool has_beliefs() const;

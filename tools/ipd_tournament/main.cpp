@@ -72,8 +72,8 @@ Program program() {
   add("threads", text(), "threads (default: one a processor); the results do not depend on it");
   add("journal", text(), "file to which finished work is added: after a kill the same command goes on from it");
   add("output", text(),
-      "folder for ranking.csv, scores.csv, cooperation.csv, pairs.csv, summary.json, and beliefs.csv, invasion.csv, "
-      "sub_rosters.csv where there are any");
+      "folder for ranking.csv, scores.csv, cooperation.csv, pairs.csv, summary.json, and beliefs.csv, "
+      "belief_log_loss.csv, invasion.csv, sub_rosters.csv where there are any");
   add("plot", text()->implicit_value("svg"),
       "svg, png or pdf: also draw payoffs, cooperation, scores (and the invasions) into --output");
   add("scale", text(), "payoffs a round of the end colours of payoffs, a heat map, so that two can be compared");

@@ -69,6 +69,16 @@ std::string settings_line(const Tournament& tournament, const TournamentLabels& 
   return text;
 }
 
+/// What is told of guesses, in this order.
+struct BeliefFigure {
+  const char* name;
+  std::optional<double> (Guesses::*value)() const;
+  const char* file;
+};
+constexpr std::array<BeliefFigure, 2> belief_figures{
+    {{"belief_accuracy", &Guesses::accuracy, "beliefs.csv"},
+     {"belief_log_loss", &Guesses::mean_log_loss, "belief_log_loss.csv"}}};
+
 /// Rows of a matrix, streamed as JSON arrays.
 template <class Cell>
 void write_json_matrix(std::ostream& out, const Tournament& tournament, const char* name, Cell cell) {
@@ -88,7 +98,11 @@ void write_json_matrix(std::ostream& out, const Tournament& tournament, const ch
   out << "\n  ]";
 }
 
-std::string json_number(const std::optional<double>& value) { return value ? fmt::format("{}", *value) : "null"; }
+/// JSON has no infinity: it is written as in sce-check's.
+std::string json_number(const std::optional<double>& value) {
+  if (!value) return "null";
+  return std::isfinite(*value) ? fmt::format("{}", *value) : "\"infinity\"";
+}
 
 std::string csv_number(const std::optional<double>& value) { return value ? fmt::format("{}", *value) : ""; }
 
@@ -99,11 +113,11 @@ void write_json_ranking(std::ostream& out, const Tournament& tournament) {
     out << fmt::format(
         "{}    {{\"rank\": {}, \"name\": {}, \"total\": {}, \"mean\": {}, \"median\": {}, \"wins\": {}, "
         "\"cooperation_rate\": {}, \"normalised\": {}, \"method\": \"{}\", \"confidence_95\": {}, "
-        "\"belief_accuracy\": {}, \"total_against_roster\": {}, \"pairs_of_method\": {}}}",
+        "\"belief_accuracy\": {}, \"belief_log_loss\": {}, \"total_against_roster\": {}, \"pairs_of_method\": {}}}",
         separator, entry.rank, json_string(tournament.name(entry.entrant)), number_text(entry.total), entry.mean,
         entry.median, entry.wins, entry.cooperation_rate, json_number(entry.normalised), to_string(entry.method),
-        json_number(confidence(tournament, entry)), json_number(entry.belief_accuracy),
-        number_text(entry.total_against_roster), entry.pairs_of_method);
+        json_number(confidence(tournament, entry)), json_number(entry.guesses.accuracy()),
+        json_number(entry.guesses.mean_log_loss()), number_text(entry.total_against_roster), entry.pairs_of_method);
     separator = ",\n";
   }
   out << "\n  ]";
@@ -161,18 +175,18 @@ void write_pairs_csv(std::ostream& out, const Tournament& tournament) {
   }
 }
 
-/// Whose guesses of whose moves were right, entrants with beliefs alone as rows; the last column is of all guesses.
-void write_beliefs_csv(std::ostream& out, const Tournament& tournament) {
+/// A figure of whose guesses of whose moves, entrants with beliefs alone as rows; the last column is of all guesses.
+void write_beliefs_csv(std::ostream& out, const Tournament& tournament, const BeliefFigure& figure) {
   out << "row\\col";
   for (std::size_t j = 0; j < tournament.size(); ++j) out << ',' << csv_field(tournament.name(j));
   out << ",all\n";
   std::vector<std::optional<double>> all(tournament.size());
-  for (const auto& entry : tournament.ranking()) all[entry.entrant] = entry.belief_accuracy;
+  for (const auto& entry : tournament.ranking()) all[entry.entrant] = (entry.guesses.*figure.value)();
   for (std::size_t i = 0; i < tournament.size(); ++i) {
     if (!all[i]) continue;
     out << csv_field(tournament.name(i));
     for (std::size_t j = 0; j < tournament.size(); ++j)
-      out << ',' << (tournament.played(i, j) ? csv_number(tournament.belief_accuracy(i, j)) : "");
+      out << ',' << (tournament.played(i, j) ? csv_number((tournament.guesses(i, j).*figure.value)()) : "");
     out << ',' << csv_number(all[i]) << '\n';
   }
 }
@@ -190,7 +204,7 @@ void write_text(std::ostream& out, const Tournament& tournament, const Tournamen
   const bool with_guests = tournament.core() < tournament.size();
   if (with_guests) header.emplace_back("v roster");
   for (const char* name : {"mean", "median", "wins", "coop %", "normalised"}) header.emplace_back(name);
-  if (tournament.has_beliefs()) header.emplace_back("belief");
+  if (tournament.has_beliefs()) header.insert(header.end(), {"belief", "log loss"});
   header.emplace_back("figures");
   Table table(header);
   for (const auto& entry : tournament.ranking()) {
@@ -206,8 +220,11 @@ void write_text(std::ostream& out, const Tournament& tournament, const Tournamen
     row.push_back(fmt::format("{}", entry.wins));
     row.push_back(fmt::format("{:.2f}", 100 * entry.cooperation_rate));
     row.push_back(entry.normalised ? fmt::format("{:.2f}", *entry.normalised) : "-");
-    if (tournament.has_beliefs())
-      row.push_back(entry.belief_accuracy ? fmt::format("{:.2f} %", 100 * *entry.belief_accuracy) : "");
+    if (tournament.has_beliefs()) {
+      const auto accuracy = entry.guesses.accuracy();
+      row.push_back(accuracy ? fmt::format("{:.2f} %", 100 * *accuracy) : "");
+      row.push_back(accuracy ? fmt::format("{:.4f}", *entry.guesses.mean_log_loss()) : "");
+    }
     row.push_back(figures(entry, tournament.opponents()));
     table.add(std::move(row));
   }
@@ -216,7 +233,9 @@ void write_text(std::ostream& out, const Tournament& tournament, const Tournamen
   if (with_guests)
     out << fmt::format("v roster: total of an included entrant against the {} of the roster alone\n",
                        tournament.core());
-  if (tournament.has_beliefs()) out << "belief: how often the move that it held likelier was the other's move\n";
+  if (tournament.has_beliefs())
+    out << "belief: how often the move that it held likelier was the other's move; log loss: mean of -ln of the "
+           "probability that it gave to the other's move\n";
   for (const auto& caveat : tournament.caveats()) out << visible_line("note: " + caveat);
   out << fmt::format("signature {:016x}\n", tournament.signature());
   if (extras.invasions != nullptr) write_invasion_text(out, tournament, *extras.invasions);
@@ -225,17 +244,17 @@ void write_text(std::ostream& out, const Tournament& tournament, const Tournamen
 
 void write_ranking_csv(std::ostream& out, const Tournament& tournament, const TournamentExtras& extras) {
   out << "rank,strategy,total,mean,median,wins,cooperation_rate,normalised,method,confidence_95,belief_accuracy,"
-         "total_against_roster,pairs_of_method"
+         "belief_log_loss,total_against_roster,pairs_of_method"
       << (extras.invasions != nullptr ? fmt::format(",{}", invasion_csv_columns) : "")
       << (extras.sub_rosters != nullptr ? fmt::format(",{}", sub_roster_csv_columns) : "") << '\n';
   fmt::memory_buffer rows;
   for (const auto& entry : tournament.ranking())
     fmt::format_to(
-        std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{},{},{},{}{}{}\n", entry.rank,
+        std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{},{},{},{},{}{}{}\n", entry.rank,
         csv_field(tournament.name(entry.entrant)), number_text(entry.total), entry.mean, entry.median, entry.wins,
         entry.cooperation_rate, csv_number(entry.normalised), to_string(entry.method),
-        csv_number(confidence(tournament, entry)), csv_number(entry.belief_accuracy),
-        number_text(entry.total_against_roster), entry.pairs_of_method,
+        csv_number(confidence(tournament, entry)), csv_number(entry.guesses.accuracy()),
+        csv_number(entry.guesses.mean_log_loss()), number_text(entry.total_against_roster), entry.pairs_of_method,
         extras.invasions != nullptr ? "," + invasion_csv_fields(*extras.invasions, entry.entrant) : "",
         extras.sub_rosters != nullptr ? "," + sub_roster_csv_fields(extras.sub_rosters->ranks[entry.entrant]) : "");
   out.write(rows.data(), static_cast<std::streamsize>(rows.size()));
@@ -272,11 +291,13 @@ void write_json(std::ostream& out, const Tournament& tournament, const Tournamen
     });
     write_json_matrix(out, tournament, "normalised",
                       [&](std::size_t i, std::size_t j) { return json_number(tournament.normalised(i, j)); });
-    if (tournament.has_beliefs())
-      write_json_matrix(out, tournament, "belief_accuracy",
-                        [&](std::size_t i, std::size_t j) { return json_number(tournament.belief_accuracy(i, j)); });
-    else
-      out << ",\n  \"belief_accuracy\": null";
+    for (const BeliefFigure& figure : belief_figures)
+      if (tournament.has_beliefs())
+        write_json_matrix(out, tournament, figure.name, [&](std::size_t i, std::size_t j) {
+          return json_number((tournament.guesses(i, j).*figure.value)());
+        });
+      else
+        out << fmt::format(",\n  \"{}\": null", figure.name);
   }
   if (extras.invasions != nullptr) write_invasion_json(out, *extras.invasions);
   if (extras.sub_rosters != nullptr) write_sub_rosters_json(out, tournament, *extras.sub_rosters);
@@ -295,7 +316,8 @@ void write_files(const fs::path& folder, const Tournament& tournament, const Tou
   if (tournament.size() <= most_listed_pairs)
     write_file(folder / "pairs.csv", [&](std::ostream& out) { write_pairs_csv(out, tournament); });
   if (tournament.has_beliefs())
-    write_file(folder / "beliefs.csv", [&](std::ostream& out) { write_beliefs_csv(out, tournament); });
+    for (const BeliefFigure& figure : belief_figures)
+      write_file(folder / figure.file, [&](std::ostream& out) { write_beliefs_csv(out, tournament, figure); });
   if (extras.invasions != nullptr)
     write_file(folder / "invasion.csv",
                [&](std::ostream& out) { write_invasion_csv(out, tournament, *extras.invasions); });

@@ -264,8 +264,8 @@ TEST(RanksThreads, ChangeNoResult) {
     std::string figures = std::to_string(found.signature());
     for (std::size_t i = 0; i < found.size(); ++i)
       for (std::size_t j = 0; j < found.size(); ++j)
-        figures += fmt::format(" {} {} {} {}", found.standard_error(i, j), found.outcomes(i, j)[0], found.wins(i, j),
-                               found.belief_accuracy(i, j).value_or(2));
+        figures += fmt::format(" {} {} {} {} {}", found.standard_error(i, j), found.outcomes(i, j)[0], found.wins(i, j),
+                               found.guesses(i, j).right, found.guesses(i, j).log_loss);
     return figures;
   });
 }

@@ -8,6 +8,7 @@
 #include <folk/strategies/registry.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -76,15 +77,18 @@ TEST(SampledPlay, TheTournamentKnowsWhoBelievesWhatIsTrue) {
   const auto tournament = play_tournament(roster, 3, settings);
   EXPECT_TRUE(tournament.has_beliefs());
   EXPECT_EQ(tournament.caveats(), std::vector<std::string>{"a toy"});
-  EXPECT_FALSE(tournament.belief_accuracy(0, 3));
-  EXPECT_DOUBLE_EQ(*tournament.belief_accuracy(3, 0), 0.9);
-  EXPECT_DOUBLE_EQ(*tournament.belief_accuracy(3, 1), 0.1);
-  EXPECT_DOUBLE_EQ(*tournament.belief_accuracy(3, 3), 1);
-  EXPECT_DOUBLE_EQ(*tournament.belief_accuracy(3, 4), 1);
+  EXPECT_FALSE(tournament.guesses(0, 3).accuracy());
+  EXPECT_FALSE(tournament.guesses(0, 3).mean_log_loss());
+  EXPECT_DOUBLE_EQ(*tournament.guesses(3, 0).accuracy(), 0.9);
+  EXPECT_DOUBLE_EQ(*tournament.guesses(3, 1).accuracy(), 0.1);
+  // It gives C 0.5 after a C and 0.1 after a D.
+  EXPECT_NEAR(*tournament.guesses(3, 0).mean_log_loss(), -(std::log(0.5) + 9 * std::log(0.9)) / 10, 1e-15);
+  EXPECT_DOUBLE_EQ(*tournament.guesses(3, 3).accuracy(), 1);
+  EXPECT_DOUBLE_EQ(*tournament.guesses(3, 4).accuracy(), 1);
   for (const auto& entry : tournament.ranking()) {
     const bool believes = entry.entrant >= 3;
-    EXPECT_EQ(entry.belief_accuracy.has_value(), believes);
-    EXPECT_DOUBLE_EQ(entry.belief_accuracy.value_or(0.8), (9 + 1 + 10 + 10 + 10) / 50.0);
+    EXPECT_EQ(entry.guesses.accuracy().has_value(), believes);
+    EXPECT_DOUBLE_EQ(entry.guesses.accuracy().value_or(0.8), (9 + 1 + 10 + 10 + 10) / 50.0);
     EXPECT_EQ(entry.method, believes ? Method::played : entry.method);
     long double against = 0;
     for (std::size_t j = 0; j < 3; ++j)

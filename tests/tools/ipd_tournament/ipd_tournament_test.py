@@ -258,23 +258,30 @@ class Results(unittest.TestCase):
 
     def test_players_with_beliefs_are_judged(self):
         roster = ("--strategies", "all_c,all_d,per_cd", "--rounds", "30")
-        tournament = result(*roster, "--include", "bayes(classics)")
+        tournament = result(*roster, "--include", "bayes(classics;slip=0.01)")
         self.assertEqual(tournament["methods"], {"cycle": 6, "played": 4})
         self.assertEqual(tournament["method_rows"][3], "pppp")
         self.assertEqual(tournament["belief_accuracy"][0], [None] * 4)
-        believer = by_name(tournament)["bayes(classics)"]
+        believer = by_name(tournament)["bayes(classics;depth=5;slip=0.01)"]
         accuracies = tournament["belief_accuracy"][3]
         self.assertAlmostEqual(believer["belief_accuracy"], sum(accuracies) / 4)
+        self.assertAlmostEqual(believer["belief_log_loss"], sum(tournament["belief_log_loss"][3]) / 4)
         self.assertEqual((believer["method"], believer["confidence_95"]), ("played", None))
         # What ipd-match shows of the same match.
         match = subprocess.run(
-            [PROGRAM.with_name("ipd-match"), "bayes(classics)", "per_cd", "--rounds", "30", "--format", "json"],
+            [PROGRAM.with_name("ipd-match"), "bayes(classics;slip=0.01)", "per_cd", "--rounds", "30", "--format", "json"],
             capture_output=True, text=True, timeout=60, check=True,
         )
         self.assertEqual(json.loads(match.stdout)["belief_accuracy"][0], accuracies[2])
         self.assertEqual(json.loads(match.stdout)["scores"][0], tournament["scores"][3][2])
-        text = output(*roster, "--include", "bayes(classics)")
-        self.assertRegex(text, rf"{100 * believer['belief_accuracy']:.2f} %  played\n")
+        # And the log loss that sce-check finds.
+        check = subprocess.run(
+            [PROGRAM.with_name("sce-check"), "bayes(classics;slip=0.01)", "--opponents", "per_cd", "--criterion", "finite:30",
+             "--format", "json"], capture_output=True, text=True, timeout=60)
+        self.assertAlmostEqual(json.loads(check.stdout)["opponents"][0]["belief"]["log_loss"],
+                               tournament["belief_log_loss"][3][2])
+        text = output(*roster, "--include", "bayes(classics;slip=0.01)")
+        self.assertRegex(text, rf"{100 * believer['belief_accuracy']:.2f} %  +{believer['belief_log_loss']:.4f}  played\n")
         self.assertNotIn("belief", output(*roster))
 
     def test_guests_totals_against_the_roster(self):
@@ -468,7 +475,7 @@ class Files(unittest.TestCase):
         summary = json.loads((self.folder / "summary.json").read_text())
         full = result()
         self.assertIsNone(full["belief_accuracy"])
-        for streamed in ("scores", "cooperations", "normalised", "method_rows", "belief_accuracy"):
+        for streamed in ("scores", "cooperations", "normalised", "method_rows", "belief_accuracy", "belief_log_loss"):
             del full[streamed]
         self.assertRegex(summary.pop("folk_version"), r"^\d+\.\d+\.\d+$")
         self.assertEqual(shlex.split(summary.pop("command")), ["ipd-tournament", "--output", str(self.folder)])
@@ -478,11 +485,14 @@ class Files(unittest.TestCase):
         arguments = ("--strategies", "all_d,per_cd", "--include", "bayes(classics)", "--rounds", "40")
         output(*arguments, "--output", str(self.folder))
         full = result(*arguments)
-        header, *rows = table(self.folder / "beliefs.csv")
-        self.assertEqual(header[1:], full["strategies"] + ["all"])
-        self.assertEqual([row[0] for row in rows], ["bayes(classics)"])
-        self.assertEqual([float(cell) for cell in rows[0][1:-1]], full["belief_accuracy"][2])
-        self.assertEqual(float(rows[0][-1]), by_name(full)["bayes(classics)"]["belief_accuracy"])
+        for name, figure in (("beliefs.csv", "belief_accuracy"), ("belief_log_loss.csv", "belief_log_loss")):
+            header, *rows = table(self.folder / name)
+            self.assertEqual(header[1:], full["strategies"] + ["all"])
+            self.assertEqual([row[0] for row in rows], ["bayes(classics)"])
+            # A move that was held impossible costs without end, and JSON has a word for that.
+            self.assertEqual([float(cell) for cell in rows[0][1:-1]], [float(cell) for cell in full[figure][2]])
+            self.assertEqual(float(rows[0][-1]), float(by_name(full)["bayes(classics)"][figure]))
+            self.assertEqual("infinity" in full[figure][2], figure == "belief_log_loss")
 
     def test_what_was_not_played_is_empty(self):
         output("--strategies", "all_c,all_d", "--no-self-play", "--rounds", "2", "--output", str(self.folder))
