@@ -117,9 +117,10 @@ function(folk_library name)
                                                  $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(folk_${name} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE_DEPENDS})
   if(FOLK_INSTALL)
-    install(TARGETS folk_${name} EXPORT FolkTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-                                                    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-    install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/folk/${name}
+    install(TARGETS folk_${name} EXPORT FolkTargets
+            ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT libfolk-dev
+            LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT libfolk-dev)
+    install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/folk/${name} COMPONENT libfolk-dev
             FILES_MATCHING PATTERN "*.h")
   endif()
 endfunction()
@@ -135,7 +136,7 @@ function(folk_program name)
   folk_folders_as_one(${name} ${sources})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
   if(FOLK_INSTALL)
-    install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+    install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT folk)
   endif()
 endfunction()
 
@@ -150,6 +151,18 @@ function(folk_install_package)
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/FolkConfigVersion.cmake COMPATIBILITY SameMinorVersion)
   install(FILES ${PROJECT_BINARY_DIR}/FolkConfig.cmake ${PROJECT_BINARY_DIR}/FolkConfigVersion.cmake
                 ${PROJECT_SOURCE_DIR}/cmake/flint.cmake
-          DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Folk)
-  install(EXPORT FolkTargets NAMESPACE folk:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Folk)
+          DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Folk COMPONENT libfolk-dev)
+  install(EXPORT FolkTargets NAMESPACE folk:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Folk COMPONENT libfolk-dev)
+
+  # For those who build without CMake: one file for all libraries, in the order in which a linker wants them. They are
+  # archives, so whoever links them links what they need.
+  set(pc_folder ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+  file(RELATIVE_PATH prefix_from_pc /${pc_folder} /)
+  string(REGEX REPLACE "/$" "" prefix_from_pc ${prefix_from_pc})
+  set(pc_libraries "-lfolk_mpe -lfolk_sct -lfolk_analysis -lfolk_strategies -lfolk_games")
+  if(FOLK_HAS_FLINT)
+    string(APPEND pc_libraries " -lflint -lgmp")
+  endif()
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/folk.pc.in ${PROJECT_BINARY_DIR}/folk.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/folk.pc DESTINATION ${pc_folder} COMPONENT libfolk-dev)
 endfunction()

@@ -17,7 +17,7 @@ struct Caption {
 };
 
 /// The caption on one line, as visible_text shows it, its parts set apart by " · " and Folk's version the last:
-/// "prisoner's dilemma (T=5,R=3,P=1,S=0) · finite:100 · noise 0.01 · Folk 0.1.0". A game or a criterion of more than
+/// "prisoner's dilemma (T=5,R=3,P=1,S=0) · finite:100 · noise 0.01 · Folk 0.2.0". A game or a criterion of more than
 /// 100 characters ends in "...".
 std::string caption_text(const Caption& caption);
 

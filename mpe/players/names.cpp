@@ -26,15 +26,6 @@ const std::vector<std::string>& shipped_names(Side side) {
   return side == Side::prey ? prey : predators;
 }
 
-const std::vector<std::string>& known_names(Side side) {
-  static const std::vector<std::string> predators{"still",         "random",         "random(program)", "blend(P)",
-                                                  "lead_pursuit",  "greedy_pursuit", "expert",          "medium",
-                                                  "expert_maddpg", "untrained(SEED)"};
-  static const std::vector<std::string> prey{"still",    "random", "random(program)", "blend(P)",
-                                             "released", "maddpg", "untrained(SEED)"};
-  return side == Side::prey ? prey : predators;
-}
-
 class Names {
 public:
   Names(Side side, const Scenario& scenario, const fs::path& data)
@@ -131,6 +122,15 @@ private:
 };
 
 }  // namespace
+
+const std::vector<std::string>& known_names(Side side) {
+  static const std::vector<std::string> predators{"still",         "random",         "random(program)", "blend(P)",
+                                                  "lead_pursuit",  "greedy_pursuit", "expert",          "medium",
+                                                  "expert_maddpg", "untrained(SEED)"};
+  static const std::vector<std::string> prey{"still",    "random", "random(program)", "blend(P)",
+                                             "released", "maddpg", "untrained(SEED)"};
+  return side == Side::prey ? prey : predators;
+}
 
 Controller controller(std::string_view spec, Side side, const Scenario& scenario, const fs::path& data) {
   return Names(side, scenario, data).make(spec);

@@ -24,6 +24,9 @@ namespace folk::mpe {
 /// ones, and InputFileError for a file that cannot be read or is of another scenario or side.
 Controller controller(std::string_view spec, Side side, const Scenario& scenario, const std::filesystem::path& data);
 
+/// The names of a side's players: "still", or with what they take: "blend(P)".
+const std::vector<std::string>& known_names(Side side);
+
 /// A comma list of names taken apart; commas inside () or quotes do not split. Throws UsageError on an empty one.
 std::vector<std::string> split_names(std::string_view list);
 

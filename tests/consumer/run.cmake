@@ -1,7 +1,9 @@
-# cmake -DMODE=installed|tree -DFOLK_BUILD=DIR -DWORK=DIR -DGENERATOR= -DCOMPILER= -DFLAGS= -P run.cmake
+# cmake -DMODE=installed|pkg_config|tree -DFOLK_BUILD=DIR -DWORK=DIR -DGENERATOR= -DCOMPILER= -DFLAGS= -P run.cmake
 # installed: builds the consumers in WORK against an installed copy of FOLK_BUILD and runs them.
+# pkg_config: the same by pkg-config, without the CMake package.
 # tree: compiles them in WORK with Folk's tree as a part of its build.
 # FLAGS are those of FOLK_BUILD: what is built for a sanitizer links with nothing else.
+cmake_minimum_required(VERSION 3.25)
 
 function(step)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
@@ -11,15 +13,18 @@ get_filename_component(tree ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
 set(options -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_BUILD_TYPE=Debug)
 
 file(REMOVE_RECURSE ${WORK})
-if(MODE STREQUAL "installed")
+if(MODE STREQUAL "tree")
+  list(APPEND options -DFOLK_TREE=${tree})
+else()
   step(${CMAKE_COMMAND} --install ${FOLK_BUILD} --prefix ${WORK}/prefix)
   list(APPEND options -DCMAKE_PREFIX_PATH=${WORK}/prefix)
-else()
-  list(APPEND options -DFOLK_TREE=${tree})
+endif()
+if(MODE STREQUAL "pkg_config")
+  list(APPEND options -DFOLK_BY_PKG_CONFIG=ON)
 endif()
 step(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build ${options})
 step(${CMAKE_COMMAND} --build ${WORK}/build --target consumer check_equilibrium particle_world)
-if(MODE STREQUAL "installed")
+if(NOT MODE STREQUAL "tree")
   step(${WORK}/build/consumer)
   execute_process(COMMAND ${WORK}/build/particle_world OUTPUT_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
   if(NOT said STREQUAL "mean return of a predator: 205.23\n")

@@ -16,7 +16,7 @@ WINGS = {
                  ["evolution", "equilibria"], ["pictures"]],
     "sct": [["files"], ["network"], ["data"], ["policy"], ["training"]],
     "mpe": [["world"], ["network"], ["players"], ["evaluation"], ["online", "data", "pictures"], ["offline"], ["study"]],
-    "tools": [["program"], ["choices"],
+    "tools": [["description"], ["program"], ["choices"],
               ["ipd_match", "ipd_strategies", "ipd_tournament", "ipd_evolve", "strategy_graph", "sct_train", "payoff_region",
                "sce_check", "mpe_train", "mpe_evaluate"]],
 }

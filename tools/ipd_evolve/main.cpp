@@ -1,5 +1,6 @@
 // ipd-evolve: what becomes of populations of strategies.
 
+#include <folk/tools/choices/standard_names.h>
 #include <folk/tools/choices/whole_class.h>
 #include <folk/tools/ipd_evolve/class_evolution.h>
 #include <folk/tools/ipd_evolve/evolution_output.h>
@@ -32,6 +33,7 @@ namespace {
 Program program() {
   Program program;
   program.name = "ipd-evolve";
+  program.title = "what becomes of populations of strategies";
   program.usage = "[options]";
   program.summary =
       "Lets a population of strategies evolve by what they earn against each other: the ecological competition of\n"
@@ -61,6 +63,7 @@ Program program() {
   add("plot", text()->implicit_value("svg"),
       "svg, png or pdf: also draw populations, stack, cooperation, the simplex of three strategies, fixation into "
       "--output");
+  program.registry = [] { return standard_names(); };
   return program;
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <folk/tools/choices/play_options.h>
+#include <folk/tools/choices/standard_names.h>
 #include <folk/tools/ipd_match/output.h>
 #include <folk/tools/program/program.h>
 #include <folk/tools/program/progress.h>
@@ -48,6 +49,7 @@ MatchSettings settings_of(const po::variables_map& values) {
 Program ipd_match() {
   Program program;
   program.name = "ipd-match";
+  program.title = "one match, move by move";
   program.usage = "A B [options]";
   program.summary =
       "Plays one match and prints every move. A and B are strategies (see ipd-strategies list), @FILE#MACHINE\n"
@@ -63,6 +65,7 @@ Program ipd_match() {
   add("width", po::value<std::string>(), "columns of the text (default: the terminal's, else 80)");
   program.arguments.add_options()("player", po::value<std::vector<std::string>>());
   program.positional.add("player", 2);
+  program.registry = [] { return standard_names(); };
   return program;
 }
 

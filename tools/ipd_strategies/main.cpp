@@ -280,7 +280,13 @@ int diff(const std::string& a, const std::string& b, Sense sense, std::size_t mo
 Program ipd_strategies() {
   Program program;
   program.name = "ipd-strategies";
+  program.title = "what is known of the strategies, and whether two of them are the same";
   program.usage = "list [SPEC] | show NAME | diff A B | reply OPPONENTS | champion [options]";
+  program.verbs = {{"list", "every strategy, roster and family, or those of a SPEC", {}},
+                   {"show", "all that is known of one strategy", {}},
+                   {"diff", "proves that two answer alike, or separates them", {}},
+                   {"reply", "the best reply to one, or to several", {}},
+                   {"champion", "the member of a complete class that earns most against all", {}}};
   program.summary =
       "list: every strategy, roster and family, with what can be computed of it, or those of SPEC. show: all that is\n"
       "known of one, with its machine. diff: proves that two strategies answer alike, or prints the shortest play of "
@@ -306,6 +312,7 @@ Program ipd_strategies() {
   add_champion_options(program.options);
   program.arguments.add_options()("command", po::value<std::vector<std::string>>());
   program.positional.add("command", -1);
+  program.registry = [] { return standard_names(); };
   return program;
 }
 

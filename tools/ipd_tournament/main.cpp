@@ -4,6 +4,7 @@
 #include <folk/tools/choices/game_option.h>
 #include <folk/tools/choices/play_options.h>
 #include <folk/tools/choices/roster_option.h>
+#include <folk/tools/choices/standard_names.h>
 #include <folk/tools/ipd_tournament/classes.h>
 #include <folk/tools/ipd_tournament/output.h>
 #include <folk/tools/ipd_tournament/pictures.h>
@@ -32,6 +33,7 @@ namespace {
 Program program() {
   Program program;
   program.name = "ipd-tournament";
+  program.title = "the round robin of a roster";
   program.usage = "[options]";
   program.summary =
       "Plays every strategy of a roster against every other and itself, exactly wherever that can be done,\n"
@@ -77,6 +79,7 @@ Program program() {
   add("plot", text()->implicit_value("svg"),
       "svg, png or pdf: also draw payoffs, cooperation, scores (and the invasions) into --output");
   add("scale", text(), "payoffs a round of the end colours of payoffs, a heat map, so that two can be compared");
+  program.registry = [] { return standard_names(); };
   return program;
 }
 

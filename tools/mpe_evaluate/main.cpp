@@ -36,6 +36,7 @@ constexpr std::uint64_t most_numpy_episodes = 1'000'000;
 Program mpe_evaluate() {
   Program program;
   program.name = "mpe-evaluate";
+  program.title = "what predators earn against a prey in the particle world";
   program.usage = "--predators PLAYER [options] | --replay FILE.csv[,...] [options]";
   program.summary =
       "Plays episodes of the particle world and says what the predators earn against each prey; or plays recorded\n"

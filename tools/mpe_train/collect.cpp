@@ -29,6 +29,7 @@ constexpr std::uint64_t most_transitions = 100'000'000'000;
 Program collect_program() {
   Program program;
   program.name = collect_name;
+  program.title = "plays episodes and stores them as an offline data set";
   program.usage = "--output DIR (--level LEVEL | --predators PLAYER) [options]";
   program.summary =
       "Plays episodes of the particle world and writes every step as a data set for offline learners: obs_i, acs_i,\n"

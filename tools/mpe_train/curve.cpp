@@ -20,6 +20,7 @@ namespace {
 Program curve_program() {
   Program program;
   program.name = "mpe-train curve";
+  program.title = "draws how training runs went";
   program.usage = "FILE.csv... --output FILE.svg [options]";
   program.summary = "Draws the evaluations of training runs, a line a run: the CSVs that mpe-train online writes.";
   program.examples = {"mpe-train curve run-1.csv run-2.csv run-3.csv --output runs.svg --title 'three seeds'",

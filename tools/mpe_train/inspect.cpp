@@ -16,6 +16,7 @@ namespace {
 Program inspect_program() {
   Program program;
   program.name = "mpe-train inspect";
+  program.title = "checks a data set and says what is in it";
   program.usage = "DIR [options]";
   program.summary =
       "Reads a data set of the particle world (obs_i, acs_i, rews_i, next_obs_i, dones_i .npy), written by Folk or by\n"

@@ -36,6 +36,7 @@ constexpr const char* offline_name = "mpe-train offline";
 Program offline_program() {
   Program program;
   program.name = offline_name;
+  program.title = "trains predators from a data set alone";
   program.usage = "--learner LEARNER --data DIR --output FILE [options]";
   program.summary =
       "Trains predators of the particle world from a data set alone (mpe-train collect, or others' in that form):\n"

@@ -38,6 +38,7 @@ constexpr const char* online_name = "mpe-train online";
 Program online_program() {
   Program program;
   program.name = online_name;
+  program.title = "trains predators, or all agents, by MATD3 or MADDPG";
   program.usage = "[options]";
   program.summary =
       "Trains the predators of the particle world by MATD3 or MADDPG against a prey, or all four agents together, and\n"

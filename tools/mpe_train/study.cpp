@@ -35,6 +35,7 @@ constexpr const char* study_name = "mpe-train study";
 Program study_program() {
   Program program;
   program.name = study_name;
+  program.title = "the paper's comparison of offline learners, from data to tables";
   program.usage = "--output DIR [options]";
   program.summary =
       "The comparison of offline learners of the paper (arXiv 2310.04579) on the particle world: collects the data,\n"

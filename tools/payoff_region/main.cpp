@@ -31,6 +31,7 @@ constexpr std::array tournament_options{"include", "rounds",      "criterion", "
 Program program() {
   Program program;
   program.name = "payoff-region";
+  program.title = "what a repeated game can pay, and what patience makes an equilibrium";
   program.usage = "[options]";
   program.summary =
       "Prints the payoffs a round that a repeated game can have: all feasible ones, those that pay each player at\n"
@@ -52,6 +53,7 @@ Program program() {
   add_play_options(program.options);
   add("seed", text(), "of all random numbers of the tournament (default 1)");
   add("threads", text(), "threads (default: one a processor); the results do not depend on it");
+  program.registry = [] { return standard_names(); };
   return program;
 }
 

@@ -7,8 +7,10 @@
 #include <folk/games/utf8.h>
 #include <folk/strategies/names.h>
 #include <folk/strategies/nearest_names.h>
+#include <folk/tools/description/completion.h>
+#include <folk/tools/description/man_page.h>
+#include <folk/tools/description/value_names.h>
 #include <folk/tools/program/launch.h>
-#include <folk/tools/program/value_names.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -20,7 +22,7 @@
 #include <iostream>
 #include <limits>
 #include <new>
-#include <sstream>
+#include <optional>
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -45,16 +47,6 @@ std::string command_line(const std::string& program, int argc, char** argv) {
     line += '\'';
   }
   return line;
-}
-
-std::string help_text(const Program& program) {
-  std::ostringstream text;
-  text << "Usage: " << program.name << " " << program.usage << "\n\n" << program.summary << "\n\n" << program.options;
-  text << "\nExamples:\n";
-  for (const auto& example : program.examples) text << "  " << example << "\n";
-  text << "\nExit codes: 0 done, " << (program.claim.empty() ? "" : "1 " + program.claim + ", ")
-       << "2 wrong usage, 3 bad input file, 4 anything else.\n";
-  return text.str();
 }
 
 int complain(const Program& program, std::string_view message, ExitCode code) {
@@ -156,6 +148,25 @@ int run_parsed(const Program& program, const std::string& command, const po::var
   return body(values, common);
 }
 
+/// What is made of the description alone, where the first word asks for it; nothing for all that users type.
+std::optional<std::string> described(const Program& program, const std::vector<std::string>& formats, int argc,
+                                     char** argv) {
+  const std::string_view question = argc > 1 ? argv[1] : "";
+  if (question == "--man") return man_page(program);
+  if (question == "--complete" && argc > 3)
+    return completions(program, formats, argv[2], argv[3], argc > 4 ? argv[4] : "");
+  return std::nullopt;
+}
+
+/// The verb with which the command line begins, or the one that is to be completed, if it is a program of its own.
+const Verb* program_named(const Program& program, int argc, char** argv) {
+  std::string word = argc > 1 ? argv[1] : "";
+  if (word == "--complete" && argc > 3) word = verb_of_line(argv[3]);
+  for (const auto& verb : program.verbs)
+    if (verb.main && verb.name == word) return &verb;
+  return nullptr;
+}
+
 /// Says what was thrown, and which exit code that is.
 int complain_about(const std::exception_ptr& failure, const Program& program) {
   try {
@@ -182,6 +193,10 @@ int complain_about(const std::exception_ptr& failure, const Program& program) {
 
 int run(int argc, char** argv, Program program, const std::vector<std::string>& formats,
         const std::function<int(const po::variables_map&, const Common&)>& body) {
+  if (const Verb* verb = program_named(program, argc, argv)) {
+    const int passed = std::string_view(argv[1]) == verb->name ? 1 : 0;
+    return verb->main(argc - passed, argv + passed);
+  }
   // A reader that goes away (| head), a dead player, a limit of file sizes show as a failed write, not as a signal.
   for (const int number : {SIGPIPE, SIGXFSZ}) std::signal(number, SIG_IGN);
   open_standard_streams();
@@ -201,7 +216,12 @@ int run(int argc, char** argv, Program program, const std::vector<std::string>& 
     add("help,h", "this text");
     add("version,V", "version and build");
     name_values(program.name, program.options);
-    code = run_parsed(program, command_line(program.name, argc, argv), parse(argc, argv, program), formats, body);
+    if (const auto text = described(program, formats, argc, argv)) {
+      std::cout << *text;
+      code = done;
+    } else {
+      code = run_parsed(program, command_line(program.name, argc, argv), parse(argc, argv, program), formats, body);
+    }
     std::cout.flush();
     if (const int reason = errno; !std::cout && reason != EPIPE)
       code = complain(program, fmt::format("standard output cannot be written: {}", std::strerror(reason)), failed);

@@ -1,28 +1,14 @@
 #pragma once
-// What every program of Folk shares: its options, its help, its exit codes.
+// How every program of Folk runs: its options are read, what it throws becomes a line and an exit code.
 
-#include <boost/program_options.hpp>
+#include <folk/tools/description/description.h>
+
 #include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace folk::tools {
-
-namespace po = boost::program_options;
-
-/// A program as its help text shows it.
-struct Program {
-  std::string name;                   ///< "ipd-match"
-  std::string usage;                  ///< "A B [options]"
-  std::string summary;                ///< what it does, a sentence or two
-  std::vector<std::string> examples;  ///< whole command lines
-  std::string claim{};                ///< what exit code 1 says, for programs that check something
-  po::options_description options{"Options"};
-  po::options_description arguments{};  ///< what the positional names below stand for; not in the help text
-  po::positional_options_description positional{};
-  bool shares_work = false;  ///< where a launcher of MPI started several ranks of it, they do its work together
-};
 
 /// How a result is printed on stdout.
 enum class Format { text, csv, json };
@@ -44,6 +30,10 @@ enum ExitCode { done = 0, claim_fails = 1, wrong_usage = 2, bad_input_file = 3, 
 
 /// Parses the command line, answers --help and --version, runs `body`, and turns whatever it throws into one line on
 /// stderr and an exit code. `formats` lists the values --format may take, the default first; empty: no such option.
+/// A verb that is a program of its own gets the rest of the line.
+///
+/// Two questions are for what is made of the description: "--man" prints its page, "--complete SHELL LINE" what may
+/// follow (completion.h).
 int run(int argc, char** argv, Program program, const std::vector<std::string>& formats,
         const std::function<int(const po::variables_map&, const Common&)>& body);
 

@@ -1,5 +1,6 @@
 // sce-check: is a policy in equilibrium with its opponents, and are its beliefs true?
 
+#include <folk/tools/choices/standard_names.h>
 #include <folk/tools/program/progress.h>
 #include <folk/tools/sce_check/output.h>
 
@@ -14,6 +15,7 @@ namespace {
 Program sce_check() {
   Program program;
   program.name = "sce-check";
+  program.title = "is a policy in equilibrium with its opponents, and are its beliefs true?";
   program.usage = "POLICY [OPPONENT] [options]";
   program.summary =
       "Checks whether POLICY and its opponents are in equilibrium (Nash, subgame perfect, self-confirming) and\n"
@@ -28,6 +30,7 @@ Program sce_check() {
                       "sce-check tit_for_tat tit_for_tat --criterion discounted:0.7 --require nash"};
   program.claim = "what was required is refuted";
   add_sce_options(program);
+  program.registry = [] { return standard_names(); };
   return program;
 }
 

@@ -42,6 +42,7 @@ constexpr const char* name = "sct-train";
 Program program() {
   Program program;
   program.name = name;
+  program.title = "trains a self-confirming transformer and keeps the best policy";
   program.usage = "[options]";
   program.summary =
       "Trains a self-confirming transformer on matches of the iterated prisoner's dilemma, or of another symmetric "
@@ -67,6 +68,7 @@ Program program() {
   add_checkpoint_options(program.options);
   add("threads", po::value<std::string>(), "threads (default: one a processor); the results do not depend on it");
   add_train_options(program.options);
+  program.registry = [] { return standard_names(); };
   return program;
 }
 

@@ -91,6 +91,7 @@ bool depends_on_payoffs(const Machine& machine, const std::string& name, const P
 Program strategy_graph() {
   Program program;
   program.name = "strategy-graph";
+  program.title = "a strategy drawn as an automaton";
   program.usage = "NAME [-o FILE] [options]";
   program.summary =
       "Draws a strategy as its smallest automaton: a circle is a state and holds its move, edges are labelled with\n"
@@ -106,6 +107,7 @@ Program strategy_graph() {
   add("payoffs", po::value<std::string>(), "T=5,R=3,P=1,S=0 (default): some strategies depend on them");
   program.arguments.add_options()("name", po::value<std::string>());
   program.positional.add("name", 1);
+  program.registry = [] { return standard_names(); };
   return program;
 }
 
