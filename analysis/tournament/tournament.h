@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -88,6 +89,11 @@ public:
   /// How many behaviours there are among the entrants, and which of them, counted from 0, an entrant has.
   std::size_t behaviours() const { return behaviours_; }
   std::size_t behaviour(std::size_t i) const { return behaviour_of_[i]; }
+
+  /// The same figures as they are kept: of behaviour a against b at a * behaviours() + b; scores times score_scale().
+  std::span<const double> behaviour_scores() const { return scores_; }
+  std::span<const double> behaviour_cooperations() const { return cooperations_; }
+  double score_scale() const { return scale_; }
 
   /// score(i, j) times the least common denominator of the payoffs (analysis/play/whole_payoffs.h): a whole number
   /// where the score is exact.

@@ -19,10 +19,13 @@ WINGS = {
     "tools": [["description"], ["program"], ["choices"],
               ["ipd_match", "ipd_strategies", "ipd_tournament", "ipd_evolve", "strategy_graph", "sct_train", "payoff_region",
                "sce_check", "mpe_train", "mpe_evaluate"]],
+    "python": [["bindings"], ["players"]],
 }
 MOST_UNITS = 20  # of a folder; a unit is a header with its source
 # Folders that may include any library, but no other folder of this list except their own.
-LEAVES = ["tools", "mpi", "tests", "bench", "examples"]
+LEAVES = ["tools", "mpi", "python", "tests", "bench", "examples"]
+# What of these may be included by another of them: python/ asks what the programs ask, and tests test.
+SHARED_LEAVES = {"tests": {"tools"}, "python": {"tools"}}
 NAMELESS = {"util", "utils", "utility", "utilities", "common", "core", "misc", "helpers"}
 SOURCE_SUFFIXES = {".h", ".cpp"}
 
@@ -91,7 +94,7 @@ def check_includes(root):
                 yield f'{where}: "{included}": write <{included}>'
             if not (root / Path(*Path(included).parts[1:])).is_file():
                 yield f"{where}: <{included}> does not exist"
-            if target not in LIBRARIES and target != folder and not (folder == "tests" and target == "tools"):
+            if target not in LIBRARIES and target != folder and target not in SHARED_LEAVES.get(folder, ()):
                 yield f"{where}: {folder} includes {target}, which is no library"
             elif folder in LIBRARIES and LIBRARIES.index(target) > LIBRARIES.index(folder):
                 yield f"{where}: {folder} includes {target}: the arrows run {' <- '.join(LIBRARIES)}"
@@ -131,7 +134,7 @@ def check_circles(root):
     """No unit, a header with its source, includes itself through others."""
     graph = {}
     for path, text in source_files(root):
-        if path.parts[0] in (*LIBRARIES, "tools"):
+        if path.parts[0] in (*LIBRARIES, "tools", "python"):
             unit = path.with_suffix("").as_posix()
             graph.setdefault(unit, set()).update(included for _, included in folk_includes(text) if included != unit)
     done, walk = set(), []

@@ -12,4 +12,7 @@ namespace folk::tools {
 Strategy chosen_machine(const Registry& registry, const std::string& name, const Payoffs& payoffs,
                         const std::string& done_to);
 
+/// Throws UsageError for an opaque player.
+void require_machine(const Strategy& strategy, const std::string& done_to);
+
 }  // namespace folk::tools

@@ -7,6 +7,8 @@
 #include <folk/games/stage_games/nfg.h>
 #include <folk/games/utf8.h>
 
+#include <typeinfo>
+
 namespace folk::tools {
 
 void add_game_options(po::options_description& options) {
@@ -20,6 +22,11 @@ StageGame read_game(const std::string& file) {
   return file == "-" ? read_nfg(read_standard_input("--game -"), "standard input") : read_nfg_file(file);
 }
 
+StageGame named_game(const po::variables_map& values) {
+  const auto& value = values["game"].value();
+  return value.type() == typeid(StageGame) ? boost::any_cast<StageGame>(value) : read_game(text_option(values, "game"));
+}
+
 ChosenGame chosen_game(const po::variables_map& values) {
   ChosenGame chosen;
   chosen.from_file = values.count("game") != 0;
@@ -27,7 +34,7 @@ ChosenGame chosen_game(const po::variables_map& values) {
   if (chosen.from_file && by_letters) throw UsageError("--game and --payoffs contradict: give one of them");
   if (by_letters) chosen.payoffs = parse_payoffs(text_option(values, "payoffs"));
   if (chosen.from_file) {
-    const auto game = read_game(text_option(values, "game"));
+    const auto game = named_game(values);
     chosen.payoffs = symmetric_payoffs(game);
     chosen.title = game.title().empty() ? "without a title" : game.title();
     chosen.actions = {game.actions(Seat::first)[0], game.actions(Seat::first)[1]};

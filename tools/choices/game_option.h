@@ -28,6 +28,9 @@ void add_game_options(po::options_description& options);
 /// The game of a .nfg file; of "-", of the standard input. Throws UsageError, InputFileError.
 StageGame read_game(const std::string& file);
 
+/// What --game names, read; where the caller has put a StageGame there instead of a name, that one.
+StageGame named_game(const po::variables_map& values);
+
 /// What they say; the standard dilemma by default. Throws UsageError when both are given or the game is no symmetric
 /// 2x2 game, InputFileError when the file makes no sense.
 ChosenGame chosen_game(const po::variables_map& values);

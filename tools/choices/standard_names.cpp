@@ -16,8 +16,17 @@ Registry standard_names(const sct::PlayOptions& options) {
   Registry registry = Registry::standard([](const std::string& file) { return read_file_or_input(file, "@-"); });
   add_policies(registry, options);
   add_bayes(registry);
+  if (MoreNames::latest != nullptr) MoreNames::latest->add_(registry);
   return registry;
 }
+
+thread_local const MoreNames* MoreNames::latest = nullptr;
+
+MoreNames::MoreNames(std::function<void(Registry&)> add)
+    : add_(std::move(add)),
+      before_(std::exchange(latest, this)) {}
+
+MoreNames::~MoreNames() { latest = before_; }
 
 std::vector<Strategy> with_guests(const Registry& registry, std::vector<Strategy> roster, const std::string& spec,
                                   const std::string& guests_spec, const Payoffs& payoffs) {

@@ -9,6 +9,7 @@
 #include <folk/tools/ipd_evolve/question.h>
 #include <folk/tools/ipd_evolve/run_journal.h>
 #include <folk/tools/ipd_evolve/scores.h>
+#include <folk/tools/ipd_evolve/solved.h>
 #include <folk/tools/program/interruption.h>
 #include <folk/tools/program/journal.h>
 #include <folk/tools/program/launch.h>
@@ -19,13 +20,13 @@
 
 #include <fmt/format.h>
 #include <folk/analysis/evolution/evolution_journal.h>
-#include <folk/analysis/evolution/small_mutations.h>
 #include <folk/analysis/play/signature.h>
 #include <folk/games/error.h>
 
 #include <functional>
 #include <iostream>
 #include <optional>
+#include <utility>
 
 namespace folk::tools {
 namespace {
@@ -138,21 +139,10 @@ void simulate(const Setting& setting, Journal& journal) {
 void solve(const Setting& setting) {
   const auto& [played, question, common, folder, picture, seed, threads] = setting;
   if (picture) require_fixation_picture(played.scores->size());
-  FixationReport report{played, question, {}};
-  report.seed = seed;
+  std::optional<ProgressBar> bar(std::in_place, "fixation", !common.quiet);
+  FixationReport report = solved(played, question, seed, threads, std::ref(*bar));
+  bar.reset();
   report.command = common.command;
-  {
-    ProgressBar bar("fixation", !common.quiet);
-    report.fixation = fixation_probabilities(*played.scores, question.individuals, question.rules, question.exact,
-                                             threads, std::ref(bar));
-  }
-  if (question.question == Question::stationary) {
-    ProgressBar bar("rare mutations", !common.quiet);
-    const Progress progress = std::ref(bar);
-    report.distribution = small_mutation_distribution(report.fixation, progress.part(0, question.exact ? 0.01 : 1));
-    if (question.exact)
-      report.exact_distribution = exact_small_mutation_distribution(report.fixation, progress.part(0.01, 1));
-  }
   if (folder) write_fixation_files(*folder, report);
   if (folder && picture) draw_fixation(*folder, report, *picture);
   write_fixation(std::cout, report, common.format);
@@ -167,7 +157,10 @@ int run_question(const po::variables_map& values, const Common& common) {
   const auto picture = chosen_picture(values);
   const auto folder = output_folder(values);
   Journal journal = journal_option(values);
-  const PlayedScores played = chosen_scores(values, common, seed, threads);
+  const PlayedScores played = [&] {
+    ProgressBar bar("playing", !common.quiet);
+    return chosen_scores(values, common, seed, threads, std::ref(bar));
+  }();
   const EvolveQuestion question = chosen_question(values, played.scores);
   const Setting setting{played, question, common, folder, picture, seed, threads};
   // Only the scores and the generations of a class are shared work.

@@ -7,14 +7,12 @@
 #include <folk/tools/choices/roster_option.h>
 #include <folk/tools/program/launch.h>
 #include <folk/tools/program/number_text.h>
-#include <folk/tools/program/progress.h>
 
 #include <fmt/format.h>
 #include <folk/analysis/tournament/tournament.h>
 #include <folk/games/error.h>
 
 #include <algorithm>
-#include <functional>
 #include <optional>
 
 namespace folk::tools {
@@ -74,8 +72,8 @@ void add_score_options(po::options_description& options) {
       "take the scores from this file instead: what ipd-tournament writes with --format json or as scores.csv");
 }
 
-PlayedScores chosen_scores(const po::variables_map& values, const Common& common, std::uint64_t seed,
-                           unsigned threads) {
+PlayedScores chosen_scores(const po::variables_map& values, const Common& common, std::uint64_t seed, unsigned threads,
+                           const Progress& progress) {
   if (values.count("tournament") != 0) {
     refuse_beside_file(values);
     return read_tournament_file(text_option(values, "tournament"));
@@ -90,8 +88,7 @@ PlayedScores chosen_scores(const po::variables_map& values, const Common& common
   settings.threads = threads;
   auto [entrants, core] = chosen_field(values, game.payoffs);
   note_unusual_payoffs(game, common);
-  ProgressBar bar(fmt::format("playing {} strategies", entrants.size()), !common.quiet);
-  return played(play_tournament(std::move(entrants), core, settings, std::ref(bar), crew()), game, values);
+  return played(play_tournament(std::move(entrants), core, settings, progress, crew()), game, values);
 }
 
 }  // namespace folk::tools

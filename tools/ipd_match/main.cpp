@@ -1,50 +1,19 @@
 // ipd-match: one match, move by move.
 
-#include <fmt/format.h>
-#include <folk/games/criterion.h>
-#include <folk/games/error.h>
-
 #include <functional>
 #include <iostream>
-#include <limits>
 #include <string>
 #include <vector>
 
 #include <folk/tools/choices/play_options.h>
 #include <folk/tools/choices/standard_names.h>
 #include <folk/tools/ipd_match/output.h>
+#include <folk/tools/ipd_match/settings.h>
 #include <folk/tools/program/program.h>
 #include <folk/tools/program/progress.h>
 
 namespace folk::tools {
 namespace {
-
-/// Every move is kept and written; a longer match is a matter for totals alone.
-constexpr std::uint64_t most_rounds = 1'000'000;
-
-std::uint64_t rounds_option(const po::variables_map& values) {
-  const std::string text = text_option(values, "rounds");
-  if (whole_number(text).value_or(0) > most_rounds)
-    throw UsageError(fmt::format(
-        "--rounds {}: ipd-match writes every move of at most {} rounds; ipd-tournament takes more", text, most_rounds));
-  return whole_option(values, "rounds", 30, 1, most_rounds);
-}
-
-MatchSettings settings_of(const po::variables_map& values) {
-  MatchSettings settings;
-  const auto players =
-      values.count("player") != 0 ? values["player"].as<std::vector<std::string>>() : std::vector<std::string>{};
-  if (players.size() != 2)
-    throw UsageError(
-        fmt::format("a match needs two strategies, not {}: try ipd-match tit_for_tat prober", players.size()));
-  settings.players = {players[0], players[1]};
-  settings.game = chosen_game(values);
-  settings.rounds = rounds_option(values);
-  settings.noise = parse_number(text_option(values, "noise", "0"), "--noise", 0, 1);
-  settings.policies = chosen_play_options(values);
-  settings.seed = whole_option(values, "seed", 1, 0, std::numeric_limits<std::uint64_t>::max());
-  return settings;
-}
 
 Program ipd_match() {
   Program program;
@@ -70,7 +39,7 @@ Program ipd_match() {
 }
 
 int match(const po::variables_map& values, const Common& common) {
-  const MatchSettings settings = settings_of(values);
+  const MatchSettings settings = chosen_match(values);
   Sheet sheet = sheet_of_stdout();
   sheet.width = whole_option(values, "width", sheet.width, 20, 100'000);
   note_unusual_payoffs(settings.game, common);

@@ -27,6 +27,13 @@ std::string plays(const std::string& name, double cooperation) {
 
 }  // namespace
 
+Comparison compared(const Machine& first, const Machine& second, bool same_name, Sense sense, std::size_t most_pairs) {
+  if (first.finite() || second.finite() || !same_name) return compare(first, second, sense, most_pairs);
+  Comparison found;
+  found.equivalence = Equivalence::equivalent;
+  return found;
+}
+
 std::string difference_text(const Difference& difference) {
   const Comparison& found = difference.found;
   switch (found.equivalence) {

@@ -16,6 +16,10 @@ struct Difference {
   Comparison found;
 };
 
+/// What comes out for two machines, and whether they are one strategy by name: of an infinite one walking would never
+/// end, and there is nothing to prove.
+Comparison compared(const Machine& first, const Machine& second, bool same_name, Sense sense, std::size_t most_pairs);
+
 /// One line: "different: after their moves D (own C): spiteful plays D, tf2t plays C".
 std::string difference_text(const Difference& difference);
 

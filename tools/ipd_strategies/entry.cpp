@@ -72,4 +72,52 @@ std::string entry_csv(const std::string& kind, const Entry& entry) {
                      csv_field(description.behaviour), csv_field(description.reference));
 }
 
+bool is_plain(const std::string& name) {
+  return name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_-") == std::string::npos;
+}
+
+namespace {
+
+/// Facts of a name that stands for one machine; families, files and commands have none before they are filled in.
+std::optional<Facts> facts_of_name(const Registry& registry, const std::string& name) {
+  if (!is_plain(name)) return std::nullopt;
+  try {
+    const Strategy strategy = registry.make(name);
+    if (!strategy.machine) return std::nullopt;
+    return facts_of(*strategy.machine);
+  } catch (const InputFileError&) {  // a policy that is not installed: it is listed all the same
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::vector<Entry> named_entries(const Registry& registry) {
+  std::vector<Entry> entries;
+  for (const auto& description : registry.strategies())
+    entries.push_back({description, facts_of_name(registry, description.name)});
+  return entries;
+}
+
+std::vector<Entry> entries_of(const std::vector<Strategy>& strategies) {
+  std::vector<Entry> entries;
+  for (const auto& strategy : strategies)
+    entries.push_back(
+        {{strategy.name, {}, {}, {}}, strategy.machine ? std::optional(facts_of(*strategy.machine)) : std::nullopt});
+  return entries;
+}
+
+nlohmann::ordered_json entries_json(const std::vector<Entry>& entries, const std::vector<Description>& groups) {
+  nlohmann::ordered_json json;
+  json["strategies"] = nlohmann::ordered_json::array();
+  for (const auto& entry : entries) json["strategies"].push_back(entry_json(entry));
+  json["groups"] = nlohmann::ordered_json::array();
+  for (const auto& group : groups)
+    json["groups"].push_back({{"name", group.name},
+                              {"aliases", group.aliases},
+                              {"behaviour", group.behaviour},
+                              {"reference", group.reference}});
+  return json;
+}
+
 }  // namespace folk::tools

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace folk::tools {
 
@@ -15,6 +16,15 @@ struct Entry {
   Description description;
   std::optional<Facts> facts;
 };
+
+/// True for a name that stands for one strategy, as it is.
+bool is_plain(const std::string& name);
+
+/// Everything that has a name of its own; families, files and commands have no facts before they are filled in.
+std::vector<Entry> named_entries(const Registry& registry);
+
+/// These strategies, with what can be computed of each.
+std::vector<Entry> entries_of(const std::vector<Strategy>& strategies);
 
 /// "yes" or "no".
 std::string yes_no(bool value);
@@ -27,6 +37,9 @@ std::string nice_text(const Niceness& niceness);
 
 /// The entry as an object; what is not known is null.
 nlohmann::ordered_json entry_json(const Entry& entry);
+
+/// Lists of entries and of groups.
+nlohmann::ordered_json entries_json(const std::vector<Entry>& entries, const std::vector<Description>& groups);
 
 /// The entry as a line of CSV under entry_csv_header; `kind` is "strategy" or "group".
 std::string entry_csv(const std::string& kind, const Entry& entry);

@@ -33,23 +33,6 @@ constexpr std::size_t most_shown = 1000;
 
 // ---- list --------------------------------------------------------------------------------------------------------
 
-/// True for a name that stands for one strategy, as it is.
-bool is_plain(const std::string& name) {
-  return name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_-") == std::string::npos;
-}
-
-/// Facts of a name that stands for one machine; families, files and commands have none before they are filled in.
-std::optional<Facts> facts_of_name(const Registry& registry, const std::string& name) {
-  if (!is_plain(name)) return std::nullopt;
-  try {
-    const Strategy strategy = registry.make(name);
-    if (!strategy.machine) return std::nullopt;
-    return facts_of(*strategy.machine);
-  } catch (const InputFileError&) {  // a policy that is not installed: it is listed all the same
-    return std::nullopt;
-  }
-}
-
 /// Words on lines of at most `width` characters.
 std::vector<std::string> wrapped(const std::string& text, std::size_t width) {
   std::vector<std::string> lines(1);
@@ -128,23 +111,12 @@ void print_data(const std::vector<Entry>& entries, const std::vector<Description
     for (const auto& group : groups) std::cout << entry_csv("group", {group, std::nullopt});
     return;
   }
-  Json json;
-  json["strategies"] = Json::array();
-  for (const auto& entry : entries) json["strategies"].push_back(entry_json(entry));
-  json["groups"] = Json::array();
-  for (const auto& group : groups)
-    json["groups"].push_back({{"name", group.name},
-                              {"aliases", group.aliases},
-                              {"behaviour", group.behaviour},
-                              {"reference", group.reference}});
-  std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+  std::cout << entries_json(entries, groups).dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
 }
 
 int list(const Common& common) {
   const Registry registry = standard_names();
-  std::vector<Entry> entries;
-  for (const auto& description : registry.strategies())
-    entries.push_back({description, facts_of_name(registry, description.name)});
+  const std::vector<Entry> entries = named_entries(registry);
   if (common.format == Format::text)
     print_list(entries, registry.groups());
   else
@@ -154,10 +126,7 @@ int list(const Common& common) {
 
 /// Whom a SPEC names, with what can be computed of each.
 int list_roster(const std::string& spec, const Payoffs& payoffs, const Common& common) {
-  std::vector<Entry> entries;
-  for (const auto& strategy : standard_names().roster(spec, payoffs))
-    entries.push_back(
-        {{strategy.name, {}, {}, {}}, strategy.machine ? std::optional(facts_of(*strategy.machine)) : std::nullopt});
+  const std::vector<Entry> entries = entries_of(standard_names().roster(spec, payoffs));
   if (common.format != Format::text) {
     print_data(entries, {}, common.format);
     return done;
@@ -257,14 +226,8 @@ int diff(const std::string& a, const std::string& b, Sense sense, std::size_t mo
   const Registry registry = standard_names();
   const Strategy first = chosen_machine(registry, a, payoffs, "compared");
   const Strategy second = chosen_machine(registry, b, payoffs, "compared");
-  const Machine& one = *first.machine;
-  const Machine& two = *second.machine;
-  Difference result{first.name, second.name, sense, {}};
-  // Two names of one infinite machine: walking would never end, and there is nothing to prove.
-  if (!one.finite() && !two.finite() && first.name == second.name)
-    result.found.equivalence = Equivalence::equivalent;
-  else
-    result.found = compare(one, two, sense, most_pairs);
+  const Difference result{first.name, second.name, sense,
+                          compared(*first.machine, *second.machine, first.name == second.name, sense, most_pairs)};
   switch (common.format) {
     case Format::text: std::cout << visible_line(difference_text(result)); break;
     case Format::csv: std::cout << difference_csv(result); break;

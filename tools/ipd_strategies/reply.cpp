@@ -61,6 +61,8 @@ Question question(const std::string& opponents, const Payoffs& payoffs, const po
   return asked;
 }
 
+void print_json(const Json& json) { std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n"; }
+
 void print_line(const char* what, const std::string& text) {
   std::cout << visible_line(fmt::format("  {:<15}{}", what, text));
 }
@@ -93,32 +95,39 @@ void print_exact(const Question& asked, const std::string& opponent, const BestR
     print_line("machine", fmt::format("not written out, it has more than {} states", most_written));
 }
 
-int reply_exactly(const Question& asked, const Common& common) {
+struct ExactReply {
+  std::string opponent;
+  BestReply found;
+  std::optional<std::string> machine;  ///< of the reply, written
+};
+
+ExactReply exact_reply(const Question& asked) {
   const Strategy opponent = chosen_machine(standard_names(), asked.opponents, asked.rules.payoffs, "replied to");
-  const BestReply found = best_reply(*opponent.machine, asked.rules, asked.horizon);
-  const auto machine = written("reply_to_" + opponent.name, found.machine);
-  if (common.format == Format::text) {
-    print_exact(asked, opponent.name, found, machine);
-    return done;
-  }
-  const std::string exact = found.exact ? to_text(*found.exact) : "";
-  if (common.format == Format::csv) {
-    std::cout << "opponent,criterion,noise,payoff,exact,residual,horizon,states\n"
-              << fmt::format("{},{},{},{},{},{},{},{}\n", csv_field(opponent.name), asked.rules.criterion.to_string(),
-                             asked.rules.noise.probability(), found.payoff, exact, found.residual,
-                             found.horizon ? fmt::format("{}", *found.horizon) : "", found.machine.size());
-    return done;
-  }
+  BestReply found = best_reply(*opponent.machine, asked.rules, asked.horizon);
+  auto machine = written("reply_to_" + opponent.name, found.machine);
+  return {opponent.name, std::move(found), std::move(machine)};
+}
+
+Json exact_json(const Question& asked, const ExactReply& reply) {
+  const BestReply& found = reply.found;
   Json json = asked.json();
-  json["opponent"] = opponent.name;
+  json["opponent"] = reply.opponent;
   json["payoff"] = found.payoff;
-  json["exact"] = found.exact ? Json(exact) : Json(nullptr);
+  json["exact"] = found.exact ? Json(to_text(*found.exact)) : Json(nullptr);
   json["residual"] = found.residual;
   json["horizon"] = found.horizon ? Json(*found.horizon) : Json(nullptr);
   json["states"] = found.machine.size();
-  json["machine"] = machine ? Json(*machine) : Json(nullptr);
-  std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
-  return done;
+  json["machine"] = reply.machine ? Json(*reply.machine) : Json(nullptr);
+  return json;
+}
+
+void print_exact_csv(const Question& asked, const ExactReply& reply) {
+  const BestReply& found = reply.found;
+  std::cout << "opponent,criterion,noise,payoff,exact,residual,horizon,states\n"
+            << fmt::format("{},{},{},{},{},{},{},{}\n", csv_field(reply.opponent), asked.rules.criterion.to_string(),
+                           asked.rules.noise.probability(), found.payoff, found.exact ? to_text(*found.exact) : "",
+                           found.residual, found.horizon ? fmt::format("{}", *found.horizon) : "",
+                           found.machine.size());
 }
 
 // ---- The best memory-one reply found -------------------------------------------------------------------------------
@@ -212,19 +221,39 @@ void print_found_csv(const Question& asked, const MemoryOneReply& found) {
                            certificate.unrestricted, certificate.residual);
 }
 
+MemoryOneReply found_memory_one(const Question& asked, const Opponents& met, const Progress& progress) {
+  return memory_one_reply(met.population, {2'000, asked.threads}, progress);
+}
+
+int reply_exactly(const Question& asked, const Common& common) {
+  const ExactReply reply = exact_reply(asked);
+  switch (common.format) {
+    case Format::text: print_exact(asked, reply.opponent, reply.found, reply.machine); break;
+    case Format::csv: print_exact_csv(asked, reply); break;
+    case Format::json: print_json(exact_json(asked, reply)); break;
+  }
+  return done;
+}
+
 int reply_memory_one(const Question& asked, const Common& common) {
   const Opponents met = opponents(asked);
-  std::optional<ProgressBar> bar(std::in_place, "searching", !common.quiet);
-  const MemoryOneReply found = memory_one_reply(met.population, {2'000, asked.threads}, std::ref(*bar));
-  bar.reset();
+  const MemoryOneReply found = [&] {
+    ProgressBar bar("searching", !common.quiet);
+    return found_memory_one(asked, met, std::ref(bar));
+  }();
   switch (common.format) {
     case Format::text: print_found(asked, met, found); break;
     case Format::csv: print_found_csv(asked, found); break;
-    case Format::json:
-      std::cout << found_json(asked, met, found).dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
-      break;
+    case Format::json: print_json(found_json(asked, met, found)); break;
   }
   return done;
+}
+
+/// What --memory-one says.
+bool asks_memory_one(const Question& asked, const po::variables_map& values) {
+  if (values.count("memory-one") == 0) return false;
+  if (asked.horizon > 0) throw UsageError("--horizon does not go with --memory-one: take finite:T");
+  return true;
 }
 
 }  // namespace
@@ -241,9 +270,15 @@ void add_reply_options(po::options_description& options) {
 
 int reply(const std::string& opponents, const Payoffs& payoffs, const po::variables_map& values, const Common& common) {
   const Question asked = question(opponents, payoffs, values, common);
-  if (values.count("memory-one") == 0) return reply_exactly(asked, common);
-  if (asked.horizon > 0) throw UsageError("--horizon does not go with --memory-one: take finite:T");
-  return reply_memory_one(asked, common);
+  return asks_memory_one(asked, values) ? reply_memory_one(asked, common) : reply_exactly(asked, common);
+}
+
+Json reply_json(const std::string& opponents_spec, const Payoffs& payoffs, const po::variables_map& values,
+                const Common& common, const Progress& progress) {
+  const Question asked = question(opponents_spec, payoffs, values, common);
+  if (!asks_memory_one(asked, values)) return exact_json(asked, exact_reply(asked));
+  const Opponents met = opponents(asked);
+  return found_json(asked, met, found_memory_one(asked, met, progress));
 }
 
 }  // namespace folk::tools

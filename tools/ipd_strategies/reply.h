@@ -4,7 +4,9 @@
 #include <folk/tools/program/program.h>
 
 #include <folk/games/payoffs.h>
+#include <folk/games/progress.h>
 
+#include <nlohmann/json.hpp>
 #include <string>
 
 namespace folk::tools {
@@ -15,5 +17,9 @@ void add_reply_options(po::options_description& options);
 /// Answers `ipd-strategies reply OPPONENTS` on stdout. Without --memory-one OPPONENTS is one machine, and the reply is
 /// exact; with it OPPONENTS is a SPEC of machines that are met equally often.
 int reply(const std::string& opponents, const Payoffs& payoffs, const po::variables_map& values, const Common& common);
+
+/// The same as what --format json prints. `progress` is told of the search for a memory-one reply.
+nlohmann::ordered_json reply_json(const std::string& opponents, const Payoffs& payoffs, const po::variables_map& values,
+                                  const Common& common, const Progress& progress);
 
 }  // namespace folk::tools

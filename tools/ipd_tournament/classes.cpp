@@ -80,56 +80,69 @@ int rank_class(const MemoryClass& members, const po::variables_map& values, cons
   return done;
 }
 
-int score_entrants(const po::variables_map& values, const Common& common) {
+ClassQuestion class_question(const po::variables_map& values, const Common& common) {
   refuse(values,
          {"include", "exclude", "invasion", "sub-rosters", "repetitions", "plot", "no-self-play", "by-behaviour"},
          "--class");
-  if (!values["strategies"].defaulted())
+  if (values.count("strategies") != 0 && !values["strategies"].defaulted())
     throw UsageError("--strategies does not go with --class: who plays against the class is --entrants SPEC");
   const std::string name = text_option(values, "class");
   const auto members = MemoryClass::parse(name);
   if (!members) throw UsageError(fmt::format("--class '{}': expected memory(X,Y)", excerpt(name)));
-  const ChosenGame game = chosen_game(values);
-  ClassScores scores{*members, {}};
-  scores.settings.payoffs = game.payoffs;
-  scores.settings.criterion = chosen_criterion(values);
-  scores.settings.most_leaves =
-      whole_option(values, "most-kinds", scores.settings.most_leaves, 1, std::uint64_t{1} << 62);
-  scores.settings.threads = threads_option(values, common);
+  ClassQuestion question{chosen_game(values), *members, {}, {}};
+  question.settings.payoffs = question.game.payoffs;
+  question.settings.criterion = chosen_criterion(values);
+  question.settings.most_leaves =
+      whole_option(values, "most-kinds", question.settings.most_leaves, 1, std::uint64_t{1} << 62);
+  question.settings.threads = threads_option(values, common);
   const Registry registry = standard_names(chosen_play_options(values));
-  const auto entrants = registry.roster(text_option(values, "entrants", "classics"), game.payoffs);
-  for (const Strategy& entrant : entrants)
+  question.entrants = registry.roster(text_option(values, "entrants", "classics"), question.game.payoffs);
+  for (const Strategy& entrant : question.entrants)
     if (!entrant.machine || !entrant.machine->deterministic())
       throw UsageError(fmt::format("{} is {}: a class is gone through with strategies that are machines without chance",
                                    excerpt(entrant.name), entrant.machine ? "random" : "no machine"));
-  for (const Strategy& entrant : entrants)
-    if (!entrant.machine->finite() && !scores.settings.criterion.is_finite())
+  for (const Strategy& entrant : question.entrants)
+    if (!entrant.machine->finite() && !question.settings.criterion.is_finite())
       throw UsageError(fmt::format("{} has infinitely many states: against a class it needs an end, --rounds N",
                                    excerpt(entrant.name)));
-  const auto folder = output_folder(values);
-  note_unusual_payoffs(game, common);
-  run_kept(values, [&](const auto& ended) {
-    ProgressBar bar(fmt::format("{} strategies against {}", entrants.size(), members->name()), !common.quiet);
-    const Progress progress(std::ref(bar), ended);
-    const auto all = static_cast<double>(entrants.size());
-    for (std::size_t i = 0; i < entrants.size(); ++i) {
-      const Progress part = progress.part(static_cast<double>(i) / all, static_cast<double>(i + 1) / all);
-      try {
-        scores.entrants.push_back(
-            {entrants[i].name, score_against(*members, *entrants[i].machine, scores.settings, part, crew())});
-      } catch (const TooManyKinds& error) {
-        scores.left_out.emplace_back(entrants[i].name, error.what());
-      } catch (const UsageError& error) {
-        throw UsageError(fmt::format("{}: {}", excerpt(entrants[i].name), error.what()));
-      }
+  return question;
+}
+
+ClassScores scored(const ClassQuestion& question, const Progress& progress) {
+  ClassScores scores{question.members, question.settings};
+  const auto all = static_cast<double>(question.entrants.size());
+  for (std::size_t i = 0; i < question.entrants.size(); ++i) {
+    const Strategy& entrant = question.entrants[i];
+    const Progress part = progress.part(static_cast<double>(i) / all, static_cast<double>(i + 1) / all);
+    try {
+      scores.entrants.push_back(
+          {entrant.name, score_against(question.members, *entrant.machine, question.settings, part, crew())});
+    } catch (const TooManyKinds& error) {
+      scores.left_out.emplace_back(entrant.name, error.what());
+    } catch (const UsageError& error) {
+      throw UsageError(fmt::format("{}: {}", excerpt(entrant.name), error.what()));
     }
-  });
+  }
   if (scores.entrants.empty())
     throw TooManyKinds(fmt::format("{}: {}", excerpt(scores.left_out[0].first), scores.left_out[0].second));
   std::stable_sort(scores.entrants.begin(), scores.entrants.end(),
                    [](const auto& a, const auto& b) { return a.score.mean > b.score.mean; });
+  return scores;
+}
+
+int score_entrants(const po::variables_map& values, const Common& common) {
+  const ClassQuestion question = class_question(values, common);
+  const auto folder = output_folder(values);
+  note_unusual_payoffs(question.game, common);
+  std::optional<ClassScores> found;
+  run_kept(values, [&](const auto& ended) {
+    ProgressBar bar(fmt::format("{} strategies against {}", question.entrants.size(), question.members.name()),
+                    !common.quiet);
+    found = scored(question, Progress(std::ref(bar), ended));
+  });
   if (!crew().first()) return done;
-  const ClassLabels labels{game.title, common.command};
+  const ClassScores& scores = *found;
+  const ClassLabels labels{question.game.title, common.command};
   if (folder) write_scores_files(*folder, scores, labels);
   switch (common.format) {
     case Format::text: write_scores_text(std::cout, scores, labels); break;

@@ -8,6 +8,7 @@
 #include <folk/tools/ipd_tournament/classes.h>
 #include <folk/tools/ipd_tournament/output.h>
 #include <folk/tools/ipd_tournament/pictures.h>
+#include <folk/tools/ipd_tournament/settings.h>
 #include <folk/tools/ipd_tournament/sub_roster_output.h>
 #include <folk/tools/program/launch.h>
 #include <folk/tools/program/output_folder.h>
@@ -15,7 +16,6 @@
 #include <folk/tools/program/piece_file.h>
 #include <folk/tools/program/program.h>
 #include <folk/tools/program/progress.h>
-#include <folk/tools/program/threads_option.h>
 
 #include <fmt/format.h>
 #include <folk/games/error.h>
@@ -131,14 +131,7 @@ int tournament(const po::variables_map& values, const Common& common) {
     throw UsageError("--entrants needs the class that they meet: --class 'memory(X,Y)'");
   if (const auto members = whole_class(values)) return rank_class(*members, values, common);
   const ChosenGame game = chosen_game(values);
-  TournamentSettings settings;
-  settings.payoffs = game.payoffs;
-  settings.criterion = chosen_criterion(values);
-  settings.noise = parse_number(text_option(values, "noise"), "--noise", 0, 1);
-  settings.self_play = values.count("no-self-play") == 0;
-  settings.repetitions = whole_option(values, "repetitions", 100, 1, 10'000'000);
-  settings.seed = whole_option(values, "seed", 1, 0, ~std::uint64_t{0});
-  settings.threads = threads_option(values, common);
+  const TournamentSettings settings = chosen_settings(values, common, game.payoffs);
   if (values.count("invasion") != 0 && !settings.self_play)
     throw UsageError("--invasion needs what each earns against its own copy: leave out --no-self-play");
   Field field = chosen_field(values, game.payoffs);

@@ -6,9 +6,8 @@
 #include <folk/tools/program/output_file.h>
 #include <folk/tools/program/program.h>
 #include <folk/tools/program/threads_option.h>
+#include <folk/tools/sct_train/begun_run.h>
 #include <folk/tools/sct_train/config.h>
-#include <folk/tools/sct_train/data.h>
-#include <folk/tools/sct_train/held_out.h>
 #include <folk/tools/sct_train/output.h>
 #include <folk/tools/sct_train/seeds.h>
 #include <folk/tools/sct_train/seeds_output.h>
@@ -25,10 +24,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -70,46 +67,6 @@ Program program() {
   add_train_options(program.options);
   program.registry = [] { return standard_names(); };
   return program;
-}
-
-/// All that the end of the run depends on, a line each.
-std::string description(const TrainConfig& config, const sct::TrainingSettings& settings, std::uint64_t data) {
-  std::string text = fmt::format("folk = {}\n", FOLK_VERSION);
-  // At their usual values these are left out: a checkpoint from before there were such keys is still of the same run.
-  const std::set<std::string> newer{"held-out",        "game",       "opponents",    "opponent-slip", "explore-every",
-                                    "explore-matches", "remembered", "return-token", "plan-depth"};
-  std::map<std::string, std::string> usual;
-  for (const auto& [key, value] : key_values(TrainConfig{})) usual[key] = value;
-  for (const auto& [key, value] : key_values(config))
-    if (key == "decay")
-      text += fmt::format("decay = {}\n", settings.optimiser.decay_steps);
-    else if (newer.contains(key) && value == usual[key])
-      continue;
-    else if (key == "game")
-      text += fmt::format("actions = {}, {}\n", config.actions[0], config.actions[1]);  // wherever the file lies
-    else if (key != "steps" && key != "patience" && key != "checkpoint-every")          // a run may be made longer
-      text += fmt::format("{} = {}\n", key, value);
-  return text + fmt::format("the data's signature = {:016x}\n", data);
-}
-
-sct::TrainingRecord record_of(const TrainConfig& config, const sct::TrainingSettings& settings) {
-  sct::TrainingRecord record;
-  record.mode = settings.mode;
-  record.data = config.data;
-  if (config.data_is_folder()) {
-    const fs::path folder = fs::path(config.data).lexically_normal();
-    record.data = (folder.has_filename() ? folder : folder.parent_path()).filename().string();
-  }
-  record.roster = config.explores() ? config.met() : config.roster;
-  record.payoffs = config.payoffs;
-  record.rounds = config.rounds;
-  record.criterion = Criterion::finite(config.rounds).to_string();
-  record.return_scale = settings.windows.return_scale;
-  record.shows_return = settings.windows.shows_return;
-  record.plan_depth = static_cast<unsigned>(config.plan_depth);
-  record.seed = settings.seed;
-  record.code_version = FOLK_VERSION;
-  return record;
 }
 
 void resume(sct::TrainingRun& run, const sct::CheckpointFolder& folder, const Common& common) {
@@ -164,57 +121,38 @@ void train(sct::TrainingRun& run, const RunFiles& files, std::uint64_t checkpoin
   }
 }
 
-/// Whom the evaluations play beside the roster; says so when nobody can tell whether training meets them.
-std::vector<Strategy> held_out(const TrainConfig& config, const std::vector<Strategy>& roster, const TrainData& data,
-                               const Common& common) {
-  const auto names = standard_names();
-  auto held = held_out_roster(config, met_in_training(config, roster, data.opponents, names), names);
-  if (!held.empty() && data.opponents.contains(""))
-    common.note(fmt::format("note: {} does not name its opponents: whether some of them are held out is not checked",
-                            excerpt(config.data, 1000)));
-  return held;
-}
-
 TrainReport train_policy(TrainConfig config, const RunFiles& files, unsigned threads, const Common& common) {
-  const auto roster = standard_names().roster(config.roster, config.payoffs);
-  auto data = train_data(config, roster);
-  const auto settings = training_settings(config, threads);
-  auto run_plan = run_settings(config, threads);
-  run_plan.description = description(config, settings, signature_of(data.lessons));
-  run_plan.held_out = held_out(config, roster, data, common);
-
   TrainReport report;
-  report.lessons = data.lessons.size();
-  sct::TrainingRun run(run_plan, settings, std::move(data.lessons), roster, record_of(config, settings), data.teacher,
-                       data.exploration);
+  BegunRun begun = begin_run(config, threads, common);
+  sct::TrainingRun& run = begun.run;
   if (files.checkpoints) resume(run, *files.checkpoints, common);
   std::optional<TrainingLog> log;
   if (!files.log.empty()) log.emplace(files.log, run, config.holds_out());
   {
     const Interruption interruption;
+    const auto& settings = begun.training;
     const auto rounds = std::min<std::uint64_t>(settings.architecture.context, config.rounds);
-    TrainProgress progress(!common.quiet, files.label, run.steps(), run_plan.steps,
+    TrainProgress progress(!common.quiet, files.label, run.steps(), begun.plan.steps,
                            settings.windows.windows * rounds * settings.architecture.round_tokens());
     train(run, files, config.checkpoint_every, progress, log ? &*log : nullptr);
   }
-  auto policy = run.policy();
-  policy.action_names = {config.actions.begin(), config.actions.end()};
+  const auto policy = finished_policy(begun, config);
   sct::write_policy(files.output, policy);
   if (log) log->close(run);
 
+  report.lessons = config.explores() ? run.explored() : begun.lessons;
   report.config = std::move(config);
   report.added = run.added();
-  if (data.exploration) report.lessons = run.explored();
   report.history = run.history();
   report.kept = run.kept();
   report.stopped_early = run.stopped_early();
-  report.roster = roster;
-  report.held_out = run_plan.held_out;
-  auto clean = run_plan.validation;
+  report.roster = begun.roster;
+  report.held_out = begun.plan.held_out;
+  auto clean = begun.plan.validation;
   clean.noise = 0;
-  report.clean = sct::play_policy(policy, roster, clean);
+  report.clean = sct::play_policy(policy, report.roster, clean);
   if (!report.held_out.empty()) report.clean_held_out = sct::play_policy(policy, report.held_out, clean);
-  report.effect = sct::belief_effect(std::make_shared<const sct::Mind>(policy), roster, threads);
+  report.effect = sct::belief_effect(std::make_shared<const sct::Mind>(policy), report.roster, threads);
   report.output = files.output.string();
   return report;
 }
