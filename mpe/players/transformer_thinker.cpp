@@ -58,7 +58,7 @@ void TransformerThinker::embed_steps(const std::vector<Matrix<float>>& slots, st
     for (std::size_t t = first; t <= now(); ++t) {
       batch.returns.push_back(returns_[t](index(e), 0));
       append_row(batch.observations, observations_[t], e);
-      batch.timesteps.push_back(static_cast<std::int32_t>(std::min(t, architecture.time_rows - 1)));
+      batch.timesteps.push_back(architecture.time_row(t));
       if (t < slots.size())
         append_row(batch.opponent.numbers, slots[t], e);
       else

@@ -22,15 +22,23 @@ struct Habit {
   unsigned depth = 2;  // rounds of the best reply; that of a label too
   double slip = 0;
   double relief = 0;  // probability that another strategy takes over
+  double whim = 0;    // probability that some rounds of chance begin
 };
+
+constexpr unsigned longest_whim = 4;  // rounds
 
 Habit draw_habit(RandomStream& random) {
   constexpr double most_slip = 0.3;
   Habit habit;
   habit.plans = random.chance(0.5);
-  const bool careful = habit.plans && random.chance(0.5);
+  const double kind = random.uniform();
+  const bool careful = habit.plans && kind < 0.25;
+  const bool whimsical = habit.plans && kind >= 0.5;
   if (habit.plans) habit.depth = 2 + static_cast<unsigned>(random.uniform() * 3);
-  habit.slip = careful ? (random.chance(0.5) ? 0.03 : 0) : most_slip * random.uniform();
+  if (whimsical)
+    habit.whim = 0.03;
+  else
+    habit.slip = careful ? (random.chance(0.5) ? 0.03 : 0) : most_slip * random.uniform();
   if (!habit.plans && random.chance(0.5)) habit.relief = 0.05;
   return habit;
 }
@@ -79,12 +87,19 @@ Lesson Exploration::match(std::uint64_t seed, std::uint64_t number) const {
   Posterior posterior = posterior_;
   Lesson lesson;
   std::uint8_t seen = start_observation;
+  unsigned whim = 0;  // rounds of it that are left
   for (std::uint64_t t = 0; t < rounds_; ++t) {
     const auto depth = static_cast<unsigned>(std::min<std::uint64_t>(habit.depth, rounds_ - t));
     const auto [c, d] = posterior.action_values(payoffs_, depth, 1, least_probability);
     const Move best = d > c + 1e-9 ? Move::D : Move::C;
     Move own = habit.plans ? best : drawn(guest->cooperation(guest_state), random);
     if (random.chance(habit.slip)) own = other(own);
+    if (habit.whim > 0 && whim == 0 && random.chance(habit.whim))
+      whim = 1 + static_cast<unsigned>(random.uniform() * longest_whim);
+    if (whim > 0) {
+      --whim;
+      own = random.chance(0.5) ? Move::D : Move::C;
+    }
     const Move theirs = drawn(opponent->cooperation(theirs_state), random);
     lesson.observations.push_back(seen);
     lesson.beliefs.push_back(static_cast<float>(posterior.cooperation()));

@@ -14,7 +14,7 @@ void add_round(const Lesson& lesson, std::size_t t, float shift, const WindowSet
   batch.returns.push_back(
       settings.shows_return ? (lesson.returns[t] + shift) / static_cast<float>(settings.return_scale) : 0.0F);
   append_observations(lesson.observations, t, settings.remembered, batch.observations);
-  batch.timesteps.push_back(static_cast<std::int32_t>(t));
+  batch.timesteps.push_back(static_cast<std::int32_t>(std::min(t, settings.time_rows - 1)));
   batch.opponent.classes.push_back(lesson.opponent[t]);
   batch.own.classes.push_back(lesson.own[t]);
   batch.wanted.classes.push_back(lesson.wanted[t]);

@@ -46,11 +46,12 @@ Lesson imitation(const Trajectory& trajectory);
 struct WindowSettings {
   std::size_t windows = 64;
   std::size_t context = 20;
-  double early = 0.4;          ///< share of the windows that begin in round 1; the rest begin anywhere
-  bool shows_return = true;    ///< else all return tokens hold 0
-  double return_scale = 100;   ///< returns are divided by it
-  std::size_t remembered = 1;  ///< rounds that an observation tells of
-  double return_jitter = 0;    ///< standard deviation of a number added to all returns of a window, unscaled
+  double early = 0.4;                 ///< share of the windows that begin in round 1; the rest begin anywhere
+  bool shows_return = true;           ///< else all return tokens hold 0
+  double return_scale = 100;          ///< returns are divided by it
+  std::size_t remembered = 1;         ///< rounds that an observation tells of
+  std::size_t time_rows = 1'000'000;  ///< rounds from this one on have the time row of this one
+  double return_jitter = 0;           ///< standard deviation of a number added to all returns of a window, unscaled
 };
 
 /// Windows of lessons drawn with equal probability; those shorter than the context are taken whole.

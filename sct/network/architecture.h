@@ -2,6 +2,7 @@
 // What a self-confirming transformer looks like: its sizes, its token stream, and where each parameter stands.
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,7 +26,7 @@ struct Architecture {
   std::size_t layers = 3;
   std::size_t heads = 1;
   std::size_t context = 20;          ///< rounds of a window
-  std::size_t time_rows = 100;       ///< rows of the time table: rounds of a match
+  std::size_t time_rows = 100;       ///< rows of the time table: a round each, the last for all that are left
   std::size_t observation_size = 5;  ///< numbers of one agent's observation
   std::size_t action_size = 2;       ///< actions to choose from, or numbers of a continuous action
   std::size_t agents = 1;            ///< ego agents; the opponent is one
@@ -40,6 +41,11 @@ struct Architecture {
   std::size_t observation_token(std::size_t agent) const { return 1 + agent; }
   std::size_t opponent_token() const { return 1 + agents; }
   std::size_t action_token(std::size_t agent) const { return 1 + agents + (belief_token ? 1 : 0) + agent; }
+
+  /// The row of the time table that a round of the match has, counted from 0.
+  std::int32_t time_row(std::size_t round) const {
+    return static_cast<std::int32_t>(round < time_rows ? round : time_rows - 1);
+  }
 
   /// Throws UsageError naming the field that no network can have.
   void check() const;

@@ -88,7 +88,7 @@ Matrix<float> Planner::tokens(std::size_t round, const std::vector<std::size_t>&
       batch.returns.push_back(situations[i].asked);
       const auto& seen = situations[i].seen;
       append_observations(seen, seen.size() - 1, mind_.remembered(), batch.observations);
-      batch.timesteps.push_back(static_cast<std::int32_t>(std::min(t, architecture.time_rows - 1)));
+      batch.timesteps.push_back(architecture.time_row(t));
       batch.opponent.classes.push_back(static_cast<std::int32_t>(bit(played.theirs)));
       batch.own.classes.push_back(static_cast<std::int32_t>(bit(played.own)));
     }

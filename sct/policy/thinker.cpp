@@ -78,7 +78,7 @@ void Thinker::embed_rounds(const MatchSoFar& so_far, const std::vector<std::uint
   for (std::size_t t = first; t <= now; ++t) {
     batch.returns.push_back(so_far.returns[t]);
     append_observations(so_far.observations, t, mind_.remembered(), batch.observations);
-    batch.timesteps.push_back(static_cast<std::int32_t>(std::min(t, architecture.time_rows - 1)));
+    batch.timesteps.push_back(architecture.time_row(t));
     batch.opponent.classes.push_back(t < slots.size() ? slots[t] : 0);
     batch.own.classes.push_back(t < now ? so_far.own[t] : 0);
   }

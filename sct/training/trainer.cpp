@@ -18,6 +18,7 @@ Trainer::Trainer(const TrainingSettings& settings, std::vector<Lesson> lessons)
       network_(std::make_unique<Network<float>>(settings.architecture)),
       batch_gradient_(*network_, settings.mode, std::max(1U, settings.threads)),
       gradient_(network_->layout().size()) {
+  settings_.windows.time_rows = settings.architecture.time_rows;
   settings_.windows.remembered = settings.architecture.observation_size / observation_size;
   state_.parameters = initial_parameters(settings.architecture, settings.seed);
   if (settings.averaging > 0) state_.average = state_.parameters;

@@ -23,7 +23,7 @@ constexpr std::array all_values{
         "validation-seed checkpoint-every depth episodes numpy-seed selection-seed episode transitions first-episode "
         "memory first-update update-every evaluation-episodes patience population "
         "individuals generations runs evaluations most-kinds sample "
-        "explore-every explore-matches remembered plan-depth "},
+        "explore-every explore-matches remembered time-rows plan-depth "},
     Values{"X",
            " regret-temperature situation-temperature learning-rate final-learning-rate weight-decay clip return-scale "
            "return-jitter tolerance action-penalty conservatism imitation target-noise target-noise-clip discount "

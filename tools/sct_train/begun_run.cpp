@@ -22,8 +22,8 @@ namespace fs = std::filesystem;
 std::string description(const TrainConfig& config, const sct::TrainingSettings& settings, std::uint64_t data) {
   std::string text = fmt::format("folk = {}\n", FOLK_VERSION);
   // At their usual values these are left out: a checkpoint from before there were such keys is still of the same run.
-  const std::set<std::string> newer{"held-out",        "game",       "opponents",    "opponent-slip", "explore-every",
-                                    "explore-matches", "remembered", "return-token", "plan-depth"};
+  const std::set<std::string> newer{"held-out",        "game",       "opponents", "opponent-slip", "explore-every",
+                                    "explore-matches", "remembered", "time-rows", "return-token",  "plan-depth"};
   std::map<std::string, std::string> usual;
   for (const auto& [key, value] : key_values(TrainConfig{})) usual[key] = value;
   for (const auto& [key, value] : key_values(config))

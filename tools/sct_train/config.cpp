@@ -189,6 +189,9 @@ const std::vector<Key>& keys() {
       whole_key(
           "remembered", "rounds that the observation of a round tells of", 1, sct::most_remembered,
           [](auto& c) -> auto& { return c.remembered; }),
+      whole_key(
+          "time-rows", "rounds that the network tells apart by when they are; later ones are one (0: all)", 0,
+          most_rounds, [](auto& c) -> auto& { return c.time_rows; }),
       text_key(
           "return-token", "what the network sees of returns: shown or hidden",
           [](auto& c) -> auto& { return c.return_token; },
@@ -434,7 +437,7 @@ sct::TrainingSettings training_settings(const TrainConfig& config, unsigned thre
   architecture.context = settings.windows.context;
   architecture.observation_size = config.remembered * sct::observation_size;
   settings.windows.shows_return = config.return_token == "shown";
-  architecture.time_rows = config.rounds;
+  architecture.time_rows = config.time_rows == 0 ? config.rounds : std::min(config.time_rows, config.rounds);
   settings.mode = config.loss == "selfconf" ? sct::LossMode::selfconf
                   : config.loss == "madt"   ? sct::LossMode::action_only
                                             : sct::LossMode::teacher;

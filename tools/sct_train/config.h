@@ -35,6 +35,7 @@ struct TrainConfig {
   std::uint64_t explore_every = 50;
   std::uint64_t explore_matches = 400;
   std::uint64_t remembered = 1;
+  std::uint64_t time_rows = 0;         ///< 0: as many as rounds
   std::string return_token = "shown";  ///< or "hidden"
   std::uint64_t plan_depth = 0;
   std::string loss = "teacher";

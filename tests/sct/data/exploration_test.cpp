@@ -66,6 +66,23 @@ TEST(Exploration, IsLabelledByThePosterior) {
 
 /// Whoever is met in a class is of the half that may be trained on. An opponent that does not slip, of memory(1,0),
 /// plays by its own moves alone: opening and two answers tell which of its eight members it is.
+TEST(Exploration, HasWhimsAlsoAfterALongPeace) {
+  const auto matches = Exploration(prior("classics"), {}, 100).matches(5, 0, 400, 2);
+  std::size_t matches_with_some = 0, deviations = 0, followed = 0;
+  for (const auto& match : matches) {
+    const auto deviates = [&](std::size_t t) { return match.own[t] != match.wanted[t]; };
+    std::size_t first = 0;
+    while (first < 100 && !deviates(first)) ++first;
+    if (first < 40 || first == 100) continue;  // peace until round 40, and then none
+    ++matches_with_some;
+    for (std::size_t t = first; t + 1 < 100; ++t)
+      if (deviates(t)) ++deviations, followed += deviates(t + 1) ? 1U : 0U;
+  }
+  EXPECT_GT(matches_with_some, 20U);
+  // Slips stand alone; a whim goes on.
+  EXPECT_GT(followed, deviations / 6);
+}
+
 TEST(Exploration, MeetsTheTrainedHalfOfAClass) {
   const auto registry = Registry::standard();
   const auto matches = Exploration(prior("memory(1,0)"), {}, rounds).matches(1, 0, 300, 2);

@@ -41,6 +41,20 @@ TEST(Windows, RememberWhatIsBeforeThem) {
   }
 }
 
+TEST(Windows, TellTheFirstRoundsApartByTheirTime) {
+  RandomStream random({1, 2, 3, 4});
+  const auto whole = lesson(9);
+  for (const std::size_t rows : {1U, 4U, 9U, 20U}) {
+    const auto batch = draw_windows({whole}, {.windows = 3, .context = 9, .time_rows = rows}, random);
+    const Architecture network{.time_rows = rows};
+    for (std::size_t i = 0; i < batch.rounds(); ++i) {
+      EXPECT_EQ(batch.timesteps[i],
+                std::min<std::int32_t>(static_cast<std::int32_t>(i % 9), static_cast<std::int32_t>(rows) - 1));
+      EXPECT_EQ(batch.timesteps[i], network.time_row(i % 9)) << "as players have it";
+    }
+  }
+}
+
 TEST(Windows, HideReturnsAndShowWhatIsToBeBelieved) {
   auto whole = lesson(6);
   whole.beliefs = {0.1F, 0.2F, 0.3F, 0.4F, 0.5F, 1};

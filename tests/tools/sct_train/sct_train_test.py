@@ -400,7 +400,7 @@ class Games(Training):
 
 class Exploring(Training):
     PLAN = (*SMALL[:-4], "--targets", "0", "--data", "explore", "--opponents", "2*tit_for_tat,all_d,3*memory(1,1)",
-            "--return-token", "hidden", "--remembered", "3", "--plan-depth", "2", "--explore-every", "10",
+            "--return-token", "hidden", "--remembered", "3", "--time-rows", "1", "--plan-depth", "2", "--explore-every", "10",
             "--explore-matches", "12", "--steps", "60", "--evaluate-every", "30", "--checkpoint-every", "5")
 
     def test_a_planner_is_trained_and_plays(self):
@@ -409,7 +409,7 @@ class Exploring(Training):
         self.assertEqual((told["config"]["opponents"], told["config"]["plan-depth"]),
                          ("2*tit_for_tat,all_d,3*memory(1,1)", "2"))
         metadata = self.policy()
-        for key in (b'"format":"folk-sct-2"', b'"plan_depth":"2"', b'"return_token":"hidden"',
+        for key in (b'"format":"folk-sct-2"', b'"plan_depth":"2"', b'"return_token":"hidden"', b'"time_rows":"1"',
                     b'"observation":"start CC CD DC DD, of each of the last 3 rounds"'):
             self.assertIn(key, metadata)
         match = ("--rounds", "30", "--format", "json")
