@@ -19,6 +19,7 @@ from folk._folk import (AlgebraicNumber, Cancelled, DiscountSet, EnvironmentErro
 _folk.use_data_folder(_os.path.join(_os.path.dirname(_os.path.abspath(__file__)), "data"))
 
 from folk import mpe, sct
+from folk._pictures import Picture
 from folk.checks import Check, Verdict, check, thresholds
 from folk.classes import CompleteClass, complete_class
 from folk.evolutions import Evolution, evolve
@@ -28,7 +29,7 @@ from folk.players import AxelrodPlayer, FunctionPlayer, Player, Rules, function_
 from folk.regions import PayoffRegion, payoff_region
 from folk.replies import BestReply, MemoryOneReply, best_reply
 from folk.strategies import Comparison, Strategy, machine, roster, strategies, strategy
-from folk.tournaments import Picture, Tournament, tournament
+from folk.tournaments import Tournament, tournament
 
 for _class in (AlgebraicNumber, Cancelled, DiscountSet, EnvironmentError, Error, InputError, RendererMissing, StageGame,
                UndecidedError, UsageError):

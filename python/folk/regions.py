@@ -1,14 +1,12 @@
 """What repeated play can pay."""
 
 import json
-import os
-import tempfile
 
 import numpy
 
 from folk import _folk
 from folk._options import Options
-from folk.tournaments import Picture
+from folk._pictures import Picture, svg_drawn_to
 
 
 class PayoffRegion:
@@ -28,11 +26,7 @@ class PayoffRegion:
 
     def plot(self) -> Picture:
         """The picture. Raises RendererMissing without gnuplot."""
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "region.svg")
-            self._held.draw(path)
-            with open(path, encoding="utf-8") as file:
-                return Picture(file.read())
+        return Picture(svg_drawn_to(self._held.draw))
 
     def json(self) -> str:
         """What payoff-region --format json prints."""

@@ -2,10 +2,10 @@
 
 import json
 import os
-import tempfile
 from typing import Any, Dict, List, Optional, Union
 
 from folk import _folk
+from folk._pictures import svg_drawn_to
 from folk._records import frame
 
 
@@ -87,11 +87,7 @@ class Strategy:
 
     def svg(self, any_own_moves=False, horizon=0) -> str:
         """The drawing as SVG text. Raises RendererMissing without Graphviz."""
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "automaton.svg")
-            self.draw(path, any_own_moves, horizon)
-            with open(path, encoding="utf-8") as file:
-                return file.read()
+        return svg_drawn_to(lambda path: self.draw(path, any_own_moves, horizon))
 
     def dot(self, any_own_moves=False, horizon=0) -> str:
         """The drawing in Graphviz's language."""

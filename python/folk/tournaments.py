@@ -1,29 +1,14 @@
 """Round robins."""
 
 import json
-import os
-import tempfile
 from typing import Any, Dict, List
 
 import numpy
 
 from folk import _folk
 from folk._options import Options
+from folk._pictures import Picture, svg_drawn
 from folk._records import frame, frame_of_columns
-
-
-class Picture:
-    """A drawing: a notebook shows it, save(path) keeps it; svg is its text."""
-
-    def __init__(self, svg):
-        self.svg = svg
-
-    def _repr_svg_(self):
-        return self.svg
-
-    def save(self, path) -> None:
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(self.svg)
 
 
 class Tournament:
@@ -113,10 +98,7 @@ class Tournament:
         RendererMissing without gnuplot."""
         if what not in ("payoffs", "cooperation", "scores"):
             raise _folk.UsageError(f"plot '{what}': expected payoffs, cooperation or scores")
-        with tempfile.TemporaryDirectory() as folder:
-            self.held.draw(folder, "svg")
-            with open(os.path.join(folder, what + ".svg"), encoding="utf-8") as file:
-                return Picture(file.read())
+        return Picture(svg_drawn(lambda folder: self.held.draw(folder, "svg"), what + ".svg"))
 
     def json(self) -> str:
         """What ipd-tournament --format json prints."""
