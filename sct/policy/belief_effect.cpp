@@ -25,10 +25,10 @@ public:
     Move move;
   };
 
-  Act operator()(const MatchSoFar& so_far, std::optional<std::uint8_t> forced = std::nullopt) {
+  Act operator()(const MatchSoFar& so_far, std::optional<ForcedBelief> forced = std::nullopt) {
     const auto& training = mind_.policy.training;
     if (!planner_) {
-      const auto thought = thinker_.think(so_far, forced);
+      const auto thought = thinker_.think(so_far, forced ? std::optional(forced->move) : std::nullopt);
       return {thought.belief, likelier_move(thought.cooperation)};
     }
     const std::uint64_t left = training.rounds - so_far.own.size();
@@ -51,8 +51,13 @@ BeliefEffect effect_in(const Trajectory& match, const Mind& mind) {
   for (std::size_t t = 0; t < match.rounds(); ++t) {
     const auto acted = mover(so_far);
     if (mind.policy.architecture.belief_token) {
-      effect.changed_by_c += mover(so_far, 0).move != match.own[t] ? 1U : 0U;
-      effect.changed_by_d += mover(so_far, 1).move != match.own[t] ? 1U : 0U;
+      const auto changed = [&](Move move, bool throughout) {
+        return mover(so_far, ForcedBelief{move, throughout}).move != match.own[t] ? 1U : 0U;
+      };
+      effect.changed_by_c += changed(Move::C, true);
+      effect.changed_by_d += changed(Move::D, true);
+      effect.present_by_c += changed(Move::C, false);
+      effect.present_by_d += changed(Move::D, false);
     }
     add_round(so_far, match.own[t], match.theirs[t], likelier_move(acted.belief), mind.return_token(match.rewards[t]));
     ++effect.rounds;

@@ -10,6 +10,8 @@
 namespace folk::sct {
 namespace {
 
+double certain(Move move) { return move == Move::C ? 1 : 0; }
+
 /// What is remembered of the observations `seen` once one more round is played.
 std::vector<std::uint8_t> continued(const std::vector<std::uint8_t>& seen, Outcome played, std::size_t remembered) {
   const std::size_t kept = std::min(seen.size(), remembered - 1);
@@ -30,15 +32,15 @@ Planner::Planner(const Mind& mind, const PlanSettings& settings)
 }
 
 Plan Planner::plan(Thinker& thinker, const MatchSoFar& so_far, const std::array<double, 4>& payoffs, unsigned left,
-                   std::optional<std::uint8_t> forced_belief) {
+                   std::optional<ForcedBelief> forced) {
   Plan plan;
   plan.belief = thinker.believe(so_far);
-  const double present = forced_belief ? (*forced_belief == 0 ? 1.0 : 0.0) : plan.belief;
+  const double present = forced ? certain(forced->move) : plan.belief;
   levels_.assign(1, Level{Situation{present, so_far.returns.back(), so_far.observations}});
   const Thinker::Present now = thinker.present();
   branches_.begin(now.stream, now.tokens);
   const unsigned depth = std::clamp(left, 1U, settings_.depth);
-  while (levels_.size() < depth) look_further(so_far.own.size() + levels_.size(), payoffs);
+  while (levels_.size() < depth) look_further(so_far.own.size() + levels_.size(), payoffs, forced);
   plan.situations = 0;
   for (const Level& level : levels_) plan.situations += level.size();
 
@@ -55,7 +57,8 @@ Plan Planner::plan(Thinker& thinker, const MatchSoFar& so_far, const std::array<
 }
 
 /// Adds the level of the situations before `round` (rounds count from 0).
-void Planner::look_further(std::size_t round, const std::array<double, 4>& payoffs) {
+void Planner::look_further(std::size_t round, const std::array<double, 4>& payoffs,
+                           std::optional<ForcedBelief> forced) {
   Level& before = levels_.back();
   Level after;
   std::vector<std::size_t> parents, outcomes;
@@ -72,7 +75,8 @@ void Planner::look_further(std::size_t round, const std::array<double, 4>& payof
   const Matrix<float>& hidden = branches_.grow(tokens(round, outcomes, after), parents);
   Matrix<float> logits;
   heads_.belief(mind_.policy.parameters.data(), hidden, logits);
-  for (std::size_t i = 0; i < after.size(); ++i) after[i].belief = first_class(logits, index(i));
+  for (std::size_t i = 0; i < after.size(); ++i)
+    after[i].belief = forced && forced->throughout ? certain(forced->move) : first_class(logits, index(i));
   levels_.push_back(std::move(after));
 }
 

@@ -28,6 +28,12 @@ struct Plan {
   Move better() const;
 };
 
+/// A belief that a plan is made on whatever the network believes.
+struct ForcedBelief {
+  Move move = Move::C;     ///< the other's, held for certain
+  bool throughout = true;  ///< in every round that is looked at; else in the present one alone
+};
+
 /// Expectimax over beliefs: V_1(x) = max over m of E u(m, their move), V_h(x) = max over m of E [u(m, their move) +
 /// continuation V_{h-1}(x after both moves)], the other moving as the network believes in the situation x, which holds
 /// all that was played and, further on, might be. What is beyond the last round counts nothing.
@@ -37,9 +43,9 @@ public:
   Planner(const Mind& mind, const PlanSettings& settings);
 
   /// The next rounds of a match of which at most `left` are left; `payoffs` by outcome. `thinker` thinks of the
-  /// present. `forced_belief`: the other's present move, whatever is believed.
+  /// present.
   Plan plan(Thinker& thinker, const MatchSoFar& so_far, const std::array<double, 4>& payoffs, unsigned left,
-            std::optional<std::uint8_t> forced_belief = std::nullopt);
+            std::optional<ForcedBelief> forced = std::nullopt);
 
 private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
@@ -52,7 +58,7 @@ private:
   };
   using Level = std::vector<Situation>;
 
-  void look_further(std::size_t round, const std::array<double, 4>& payoffs);
+  void look_further(std::size_t round, const std::array<double, 4>& payoffs, std::optional<ForcedBelief> forced);
   Matrix<float> tokens(std::size_t round, const std::vector<std::size_t>& outcomes, const Level& situations) const;
   std::array<double, 2> values(const Situation& situation, const std::vector<double>& next,
                                const std::array<double, 4>& payoffs) const;

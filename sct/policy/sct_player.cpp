@@ -91,13 +91,13 @@ public:
 private:
   void think() {
     if (!thinker_) thinker_.emplace(*mind_);
-    std::optional<std::uint8_t> forced;
-    if (options_.forced_belief) forced = static_cast<std::uint8_t>(bit(*options_.forced_belief));
-    thought_ = plan_depth_ > 0 ? plan(forced) : thinker_->think(so_far_, forced);
+    thought_ = plan_depth_ > 0 ? plan() : thinker_->think(so_far_, options_.forced_belief);
   }
 
-  Thought plan(std::optional<std::uint8_t> forced) {
+  Thought plan() {
     if (!planner_) planner_.emplace(*mind_, PlanSettings{.depth = plan_depth_, .continuation = continuation_});
+    std::optional<ForcedBelief> forced;
+    if (options_.forced_belief) forced = {*options_.forced_belief};
     const std::uint64_t left = rounds_ ? *rounds_ - so_far_.own.size() : most_plan_depth;
     const Plan plan = planner_->plan(*thinker_, so_far_, rewards_,
                                      static_cast<unsigned>(std::min<std::uint64_t>(left, most_plan_depth)), forced);

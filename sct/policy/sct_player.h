@@ -15,7 +15,7 @@ struct PlayOptions {
   std::optional<double> target{};       ///< asked return of a match, unscaled; none: the policy's own
   bool sample = false;                  ///< draw actions from the policy instead of taking the likelier one
   bool extrapolate = false;             ///< play games, criteria and rounds it was not trained on
-  std::optional<Move> forced_belief{};  ///< this stands in the belief slot, whatever is believed
+  std::optional<Move> forced_belief{};  ///< this is held for certain, whatever the network believes
   /// Rounds that it looks ahead: its moves are a best reply to its beliefs (planner.h), whatever its action head says.
   /// 0: the action head moves; none: as the policy says.
   std::optional<unsigned> plan_depth{};

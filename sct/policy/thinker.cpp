@@ -1,5 +1,6 @@
 #include <folk/games/error.h>
 #include <folk/sct/policy/thinker.h>
+#include <folk/strategies/player.h>
 
 #include <fmt/format.h>
 
@@ -103,9 +104,9 @@ Matrix<float> Thinker::advance(Line& line, const MatchSoFar& so_far, const std::
 }
 
 /// The present belief token, embedded.
-Matrix<float> Thinker::slot_token(const MatchSoFar& so_far, std::uint8_t slot) {
+Matrix<float> Thinker::slot_token(const MatchSoFar& so_far, Move slot) {
   const std::size_t now = so_far.own.size();
-  std::vector<std::uint8_t> slots(now + 1, slot);
+  const std::vector<std::uint8_t> slots(now + 1, static_cast<std::uint8_t>(bit(slot)));
   embed_rounds(so_far, slots, now);
   return embedded_.row(index(mind_.policy.architecture.opponent_token()));
 }
@@ -126,14 +127,14 @@ double Thinker::belief_of(const Matrix<float>& hidden) const {
 
 double Thinker::believe(const MatchSoFar& so_far) { return belief_of(hidden_at_observation(so_far)); }
 
-Thought Thinker::think(const MatchSoFar& so_far, std::optional<std::uint8_t> forced_belief) {
+Thought Thinker::think(const MatchSoFar& so_far, std::optional<Move> forced_belief) {
   const auto& architecture = mind_.policy.architecture;
   const float* parameters = mind_.policy.parameters.data();
   Thought thought;
   Matrix<float> hidden = hidden_at_observation(so_far);
   Matrix<float> logits;
   if (mind_.believes()) thought.belief = belief_of(hidden);
-  const auto slot = forced_belief.value_or(thought.belief >= 0.5 ? 0 : 1);
+  const Move slot = forced_belief.value_or(likelier_move(thought.belief));
   auto& acting = action_line_ ? *action_line_ : belief_line_;
   if (action_line_) hidden.row(0) = advance(*action_line_, so_far, so_far.beliefs);
   if (architecture.belief_token) hidden.row(1) = acting.stream.append(slot_token(so_far, slot));

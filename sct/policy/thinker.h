@@ -75,7 +75,7 @@ public:
 
   /// The round after so_far.own.size() past ones. `forced_belief`: this move stands in the belief slot whatever the
   /// belief is.
-  Thought think(const MatchSoFar& so_far, std::optional<std::uint8_t> forced_belief = std::nullopt);
+  Thought think(const MatchSoFar& so_far, std::optional<Move> forced_belief = std::nullopt);
 
   /// The belief alone.
   double believe(const MatchSoFar& so_far);
@@ -99,7 +99,7 @@ private:
   Matrix<float> advance(Line& line, const MatchSoFar& so_far, const std::vector<std::uint8_t>& slots);
   Matrix<float> hidden_at_observation(const MatchSoFar& so_far);
   double belief_of(const Matrix<float>& hidden) const;
-  Matrix<float> slot_token(const MatchSoFar& so_far, std::uint8_t slot);
+  Matrix<float> slot_token(const MatchSoFar& so_far, Move slot);
   void embed_rounds(const MatchSoFar& so_far, const std::vector<std::uint8_t>& slots, std::size_t first);
 
   const Mind& mind_;

@@ -125,6 +125,8 @@ Json effect_of(const std::optional<sct::BeliefEffect>& effect) {
   return {{"rounds", effect->rounds},
           {"changed_by_c", effect->changed_by_c},
           {"changed_by_d", effect->changed_by_d},
+          {"present_by_c", effect->present_by_c},
+          {"present_by_d", effect->present_by_d},
           {"share_by_c", share(effect->changed_by_c)},
           {"share_by_d", share(effect->changed_by_d)},
           {"decoration", effect->changed_by_c + effect->changed_by_d == 0}};

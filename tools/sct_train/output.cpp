@@ -79,9 +79,13 @@ void write_text(std::ostream& out, const TrainReport& report) {
                        report.clean_held_out->total, percent(report.clean_held_out->belief_accuracy))
         << opponents_table(report.held_out, *report.clean_held_out);
   out << "\n"
-      << visible_line(fmt::format("its belief token forced to {} changes {} of its {} moves, forced to {} {}",
-                                  config.actions[0], report.effect.changed_by_c, report.effect.rounds,
-                                  config.actions[1], report.effect.changed_by_d));
+      << visible_line(fmt::format("its {} forced to {} changes {} of its {} moves, forced to {} {}",
+                                  config.plan_depth > 0 ? "belief" : "belief token", config.actions[0],
+                                  report.effect.changed_by_c, report.effect.rounds, config.actions[1],
+                                  report.effect.changed_by_d));
+  if (config.plan_depth > 0)
+    out << fmt::format("that of the present round alone, those of the rounds after it as they are: {} and {}\n",
+                       report.effect.present_by_c, report.effect.present_by_d);
   out << visible_line(fmt::format("written to {}", report.output));
 }
 

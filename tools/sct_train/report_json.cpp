@@ -65,7 +65,9 @@ Json report_json(const TrainReport& report) {
   json["kept"] = kept_json(report);
   json["belief_effect"] = {{"moves", report.effect.rounds},
                            {"changed_by_c", report.effect.changed_by_c},
-                           {"changed_by_d", report.effect.changed_by_d}};
+                           {"changed_by_d", report.effect.changed_by_d},
+                           {"present_by_c", report.effect.present_by_c},
+                           {"present_by_d", report.effect.present_by_d}};
   json["output"] = report.output;
   return json;
 }

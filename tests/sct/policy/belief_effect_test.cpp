@@ -15,7 +15,7 @@ const std::vector<Strategy>& roster() {
   return strategies;
 }
 
-/// The same count by players whose belief token is forced throughout: each is told the match as it was and asked anew.
+/// The same count by players whose belief is forced throughout: each is told the match as it was and asked anew.
 std::uint64_t changed(const std::shared_ptr<const Mind>& mind, Move forced) {
   const auto matches =
       play_and_record(transformer("policy", mind), roster(), mind->policy.training.payoffs, 14, 0, 1, 1);
@@ -42,13 +42,15 @@ TEST(BeliefEffect, CountsTheMovesThatAForcedBeliefChanges) {
     EXPECT_EQ(effect.rounds, 4U * 14U);
     EXPECT_EQ(effect.changed_by_c, changed(mind, Move::C));
     EXPECT_EQ(effect.changed_by_d, changed(mind, Move::D));
+    EXPECT_EQ(effect.present_by_c, effect.changed_by_c);
+    EXPECT_EQ(effect.present_by_d, effect.changed_by_d);
     all += effect.changed_by_c + effect.changed_by_d;
   }
   EXPECT_GT(all, 0U) << "none of these policies heeds its belief: a poor test";
 }
 
 TEST(BeliefEffect, OfAPlannerIsThatOnItsPlans) {
-  std::uint64_t all = 0;
+  std::uint64_t all = 0, present = 0;
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     Policy policy = test::playing_policy(test::trainings[0], seed);
     policy.training.plan_depth = 2;
@@ -57,9 +59,13 @@ TEST(BeliefEffect, OfAPlannerIsThatOnItsPlans) {
     const auto effect = belief_effect(mind, roster(), 2);
     EXPECT_EQ(effect.changed_by_c, changed(mind, Move::C));
     EXPECT_EQ(effect.changed_by_d, changed(mind, Move::D));
-    all += effect.changed_by_c + effect.changed_by_d;
+    // Who always plays C is answered by D, who always plays D by C: each move is changed by one of the two.
+    EXPECT_EQ(effect.changed_by_c + effect.changed_by_d, effect.rounds);
+    present += effect.present_by_c + effect.present_by_d;
+    all += effect.rounds;
   }
-  EXPECT_GT(all, 0U);
+  EXPECT_GT(present, 0U);
+  EXPECT_NE(present, all) << "the present round alone is forced as if it were all";
 }
 
 TEST(BeliefEffect, OfEachOpponentIsItsEffectAlone) {

@@ -91,7 +91,7 @@ TEST_P(PlannerTest, AForcedBeliefIsOfThePresentRoundAlone) {
   Thinker thinker(mind);
   MatchSoFar so_far = begin_match(1.5);
   Planner planner(mind, {.depth = 2, .least_probability = 0});
-  const Plan forced = planner.plan(thinker, so_far, dilemma, 2, std::uint8_t{1});
+  const Plan forced = planner.plan(thinker, so_far, dilemma, 2, ForcedBelief{Move::D, false});
   for (const std::size_t own : {0U, 1U}) {
     const Outcome played = all_outcomes[2 * own + 1];
     MatchSoFar next = so_far;
@@ -99,6 +99,19 @@ TEST_P(PlannerTest, AForcedBeliefIsOfThePresentRoundAlone) {
     const auto [c, d] = searched(mind, next, {.depth = 1}, 1);
     EXPECT_NEAR(forced.values[own], dilemma[played.index()] + std::max(c, d), 1e-3);
   }
+}
+
+TEST_P(PlannerTest, ABeliefForcedThroughoutIsAnOpponentWhoAlwaysPlaysThat) {
+  const Mind mind = PlannerTest::mind();
+  Thinker thinker(mind);
+  const MatchSoFar so_far = begin_match(1.5);
+  Planner planner(mind, {.depth = 3, .continuation = 0.5});
+  const Plan c = planner.plan(thinker, so_far, dilemma, 3, ForcedBelief{Move::C});
+  EXPECT_NEAR(c.values[0], 3 + 5 * 0.75, 1e-12);  // a D pays 5 in each round that follows
+  EXPECT_NEAR(c.values[1], 5 + 5 * 0.75, 1e-12);
+  const Plan d = planner.plan(thinker, so_far, dilemma, 3, ForcedBelief{Move::D});
+  EXPECT_NEAR(d.values[0], 0.75, 1e-12);
+  EXPECT_NEAR(d.values[1], 1.75, 1e-12);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, PlannerTest,

@@ -122,7 +122,7 @@ TEST_P(ThinkerTest, BelievesWhatItIsForcedTo) {
   for (std::size_t round = 0; round < 12; ++round) {
     std::array<Thought, 2> forced;
     for (std::uint8_t slot = 0; slot < 2; ++slot) {
-      forced[slot] = thinker.think(so_far, slot);
+      forced[slot] = thinker.think(so_far, slot == 0 ? Move::C : Move::D);
       expect_near(forced[slot], expected(mind, so_far, slot), round);
     }
     EXPECT_EQ(forced[0].belief, forced[1].belief) << "what is believed is not what is forced";
