@@ -31,6 +31,8 @@ struct OwnBeliefGap {
   double own_value = 0;               ///< what it expects from that round on when it goes on as it does
   double best_value = 0;              ///< what it expects of the deviation; gain is the difference
   std::uint64_t searched_rounds = 0;  ///< how many rounds of the path were searched before the thoughts ran out
+  /// Of a planned search, by the rounds of the path: what another move gains there; 0 in rounds not asked.
+  std::vector<double> gains{};
 };
 
 /// The asked rounds of paths of one length, 0-based and ascending; all where none is asked. Throws UsageError for paths

@@ -31,7 +31,9 @@ public:
         rounds_(paths.front().size()),
         payoffs_(options.payoffs.numbers()),
         world_(believer, options.payoffs, Criterion::finite(rounds_), options.threads),
-        gaps_(paths.size()) {}
+        gaps_(paths.size()) {
+    for (OwnBeliefGap& gap : gaps_) gap.gains.resize(rounds_);
+  }
 
   /// False when the player holds no beliefs.
   bool walk(const Progress& progress) {
@@ -108,7 +110,9 @@ private:
     const auto worth = values(node, options_.depth);
     const Move made = paths_[path][round].own;
     const double gain = worth[bit(other(made))] - worth[bit(made)];
-    if (gain <= belief_rounding * std::abs(worth[bit(made)]) || gain <= gap.gain) return;
+    if (gain <= belief_rounding * std::abs(worth[bit(made)])) return;
+    gap.gains[round] = gain;
+    if (gain <= gap.gain) return;
     gap.gain = gain;
     gap.round = round + 1;
     gap.own_moves = {other(made)};

@@ -139,6 +139,22 @@ std::optional<Settled> settled_own_beliefs(const ExaminationQuestion& question, 
   return low > last ? Settled{} : Settled{low, Verdict::not_refuted};
 }
 
+/// The rounds after the last one in which another move is worth more on a planner's own beliefs.
+std::vector<std::optional<Settled>> settled_plans(const ExaminationQuestion& question,
+                                                  std::vector<PairExamination> pairs, const Progress& progress) {
+  add_own_beliefs(from_round(question, 1), pairs, progress);
+  std::vector<std::optional<Settled>> settled(pairs.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (!pairs[i].own_search) continue;
+    const auto& gains = pairs[i].own_search->gains;
+    const auto gainful = [&](double gain) { return gain > to_double(question.epsilon_payoff); };
+    const auto last = std::find_if(gains.rbegin(), gains.rend(), gainful);
+    const auto before = static_cast<std::uint64_t>(gains.rend() - last);
+    settled[i] = before == gains.size() ? Settled{} : Settled{before + 1, Verdict::not_refuted};
+  }
+  return settled;
+}
+
 std::vector<SettledNotions> settle_records(const ExaminationQuestion& question, const Progress& progress) {
   const auto records = record_beliefs(question.policy, question.opponents, question.sampling());
   auto known = records;
@@ -146,9 +162,12 @@ std::vector<SettledNotions> settle_records(const ExaminationQuestion& question, 
     for (auto& record : imitated_records(question, records)) known.push_back(std::move(record));
   ClassReplies unused = class_replies(question);
   const std::uint64_t last = question.criterion.rounds();
+  const bool plans = question.policy.plans_ahead > 0;
+  const Progress scanning = progress.part(0, plans ? 0.5 : 1);
   std::vector<SettledNotions> found;
+  std::vector<PairExamination> from_the_first;
   for (std::size_t i = 0; i < records.size(); ++i) {
-    progress(static_cast<double>(i) / static_cast<double>(records.size()));
+    scanning(static_cast<double>(i) / static_cast<double>(records.size()));
     BackwardScan scan(last);
     const Strategy& opponent = question.opponents[i];
     for (std::uint64_t round = last; round > 0 && scan.open(); --round) {
@@ -160,10 +179,13 @@ std::vector<SettledNotions> settle_records(const ExaminationQuestion& question, 
     found.push_back(scan.found());
     const BeliefMatch& match = records[i].matches.front();
     found.back()[place_of(Notion::beliefs)] = settled_beliefs(match, question.epsilon_belief);
-    if (found.back()[place_of(Notion::beliefs)] && !question.policy.machine)
-      found.back()[place_of(Notion::self_confirming_own)] =
-          settled_own_beliefs(question, examine_record(question, opponent, records[i], unused), last);
+    from_the_first.push_back(examine_record(from_round(question, 1), opponent, records[i], unused));
+    if (found.back()[place_of(Notion::beliefs)] && !question.policy.machine && !plans)
+      found.back()[place_of(Notion::self_confirming_own)] = settled_own_beliefs(question, from_the_first.back(), last);
   }
+  if (!plans) return found;
+  const auto own = settled_plans(question, from_the_first, progress.part(0.5, 1));
+  for (std::size_t i = 0; i < found.size(); ++i) found[i][place_of(Notion::self_confirming_own)] = own[i];
   return found;
 }
 

@@ -114,6 +114,21 @@ TEST(Settlement, OfPlayersWithBeliefs) {
   EXPECT_TRUE(same(settlement(question).pairs.front(), by_definition(question, 10)));
 }
 
+TEST(Settlement, OfWhoPlansIsByDefinitionToo) {
+  std::size_t late = 0;
+  for (const char* own : {"per_ccd", "mem33_cccDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDD"})
+    for (const char* opponent : {"all_d", "pavlov", "tit_for_tat"}) {
+      auto question = settling_question(test::believer(own, "tit_for_tat"), opponent, "finite:9", "classics");
+      question.policy.plans_ahead = 2;  // it says so; what it plays are no plans
+      const auto found = settlement(question).pairs.front();
+      EXPECT_TRUE(same(found, by_definition(question, 9))) << own << " against " << opponent;
+      const auto& settled = found[place_of(Notion::self_confirming_own)];
+      ASSERT_TRUE(settled);
+      late += settled->from && *settled->from > 1 ? 1U : 0U;
+    }
+  EXPECT_GT(late, 0U);
+}
+
 TEST(Settlement, RefusesWhatItCannotLookThrough) {
   auto question = settling_question(named("pavlov"), "all_d,random(0.5)", "finite:1", "all_d");
   EXPECT_THROW(settlement(question), UsageError);
