@@ -1,5 +1,6 @@
 #include <folk/analysis/replies/bayes_player.h>
 #include <folk/analysis/replies/bayes_reply.h>
+#include <folk/analysis/replies/better_move.h>
 #include <folk/analysis/replies/posterior.h>
 #include <folk/games/error.h>
 #include <folk/games/rational.h>
@@ -131,10 +132,7 @@ public:
     }
     belief_ = posterior_.cooperation();
     const unsigned depth = endless_ ? depth_ : static_cast<unsigned>(std::clamp<std::uint64_t>(left_, 1, depth_));
-    const auto [c, d] = posterior_.action_values(payoffs_, depth, continuation_);
-    // Sums of products are rounded, on each processor in its own way: a hair more is not better.
-    constexpr double rounding = 1e-9;
-    return d > c + rounding * std::max(std::abs(c), std::abs(d)) ? Move::D : Move::C;
+    return better_move(posterior_.action_values(payoffs_, depth, continuation_));
   }
 
   void observe(Move own, Move theirs) override {

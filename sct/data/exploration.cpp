@@ -1,4 +1,5 @@
 #include <folk/analysis/play/parallel.h>
+#include <folk/analysis/replies/better_move.h>
 #include <folk/games/error.h>
 #include <folk/games/outcome.h>
 #include <folk/sct/data/exploration.h>
@@ -90,8 +91,7 @@ Lesson Exploration::match(std::uint64_t seed, std::uint64_t number) const {
   unsigned whim = 0;  // rounds of it that are left
   for (std::uint64_t t = 0; t < rounds_; ++t) {
     const auto depth = static_cast<unsigned>(std::min<std::uint64_t>(habit.depth, rounds_ - t));
-    const auto [c, d] = posterior.action_values(payoffs_, depth, 1, least_probability);
-    const Move best = d > c + 1e-9 ? Move::D : Move::C;
+    const Move best = better_move(posterior.action_values(payoffs_, depth, 1, least_probability));
     Move own = habit.plans ? best : drawn(guest->cooperation(guest_state), random);
     if (random.chance(habit.slip)) own = other(own);
     if (habit.whim > 0 && whim == 0 && random.chance(habit.whim))

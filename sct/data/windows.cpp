@@ -1,5 +1,6 @@
 #include <folk/games/error.h>
 #include <folk/sct/data/windows.h>
+#include <folk/sct/network/architecture.h>
 
 #include <algorithm>
 
@@ -14,7 +15,7 @@ void add_round(const Lesson& lesson, std::size_t t, float shift, const WindowSet
   batch.returns.push_back(
       settings.shows_return ? (lesson.returns[t] + shift) / static_cast<float>(settings.return_scale) : 0.0F);
   append_observations(lesson.observations, t, settings.remembered, batch.observations);
-  batch.timesteps.push_back(static_cast<std::int32_t>(std::min(t, settings.time_rows - 1)));
+  batch.timesteps.push_back(time_row(t, settings.time_rows));
   batch.opponent.classes.push_back(lesson.opponent[t]);
   batch.own.classes.push_back(lesson.own[t]);
   batch.wanted.classes.push_back(lesson.wanted[t]);

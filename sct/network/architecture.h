@@ -19,6 +19,11 @@ enum class Readout {
 
 std::string_view to_string(Readout readout);
 
+/// The row of a time table that a round of the match has, counted from 0: the last row is for all that are left.
+inline std::int32_t time_row(std::size_t round, std::size_t rows) {
+  return static_cast<std::int32_t>(round < rows ? round : rows - 1);
+}
+
 /// Sizes of a decoder-only transformer over the tokens [return, observation of each agent, belief, action of each
 /// agent] of each round; the defaults are the paper's.
 struct Architecture {
@@ -42,10 +47,7 @@ struct Architecture {
   std::size_t opponent_token() const { return 1 + agents; }
   std::size_t action_token(std::size_t agent) const { return 1 + agents + (belief_token ? 1 : 0) + agent; }
 
-  /// The row of the time table that a round of the match has, counted from 0.
-  std::int32_t time_row(std::size_t round) const {
-    return static_cast<std::int32_t>(round < time_rows ? round : time_rows - 1);
-  }
+  std::int32_t time_row(std::size_t round) const { return sct::time_row(round, time_rows); }
 
   /// Throws UsageError naming the field that no network can have.
   void check() const;

@@ -1,3 +1,4 @@
+#include <folk/analysis/replies/better_move.h>
 #include <folk/games/error.h>
 #include <folk/games/outcome.h>
 #include <folk/sct/policy/planner.h>
@@ -129,9 +130,8 @@ std::array<double, 2> Planner::values(const Situation& situation, const std::vec
 }
 
 Move Plan::better() const {
-  constexpr double rounding = 1e-5;
-  const auto [c, d] = values;
-  return d > c + rounding * std::max(std::abs(c), std::abs(d)) ? Move::D : Move::C;
+  constexpr double network_rounding = 1e-5;  // single precision, layer upon layer
+  return better_move(values, network_rounding);
 }
 
 }  // namespace folk::sct
