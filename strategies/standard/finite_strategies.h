@@ -1,6 +1,6 @@
 #pragma once
-// The finite strategies, as data: to add one, add a line to finite_strategies.cpp and its transcript to
-// tests/data/transcripts.csv.
+// The finite strategies, as data: to add one, add a line to finite_strategies.cpp or library_strategies.cpp and its
+// transcript to tests/data/transcripts.csv.
 
 #include <string_view>
 #include <vector>
@@ -18,6 +18,13 @@ struct FiniteStrategy {
   std::string_view elsewhere{};  ///< who means another strategy by the name, and what that one is called here
 };
 
+/// The classics and what is related to them.
 const std::vector<FiniteStrategy>& finite_strategies();
+
+/// Memory-one strategies with names; `machine` is a mem1(...), zero-determinant ones as for T=5,R=3,P=1,S=0.
+const std::vector<FiniteStrategy>& memory_one_strategies();
+
+/// Those of Axelrod's tournaments and of Axelrod-Python.
+const std::vector<FiniteStrategy>& library_strategies();
 
 }  // namespace folk

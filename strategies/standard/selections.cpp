@@ -2,6 +2,7 @@
 #include <folk/games/error.h>
 #include <folk/games/rational.h>
 #include <folk/strategies/names.h>
+#include <folk/strategies/standard/filters.h>
 #include <folk/strategies/standard/selections.h>
 
 #include <limits>
@@ -35,6 +36,15 @@ Pool read_half(std::string_view arguments, const Reader& read) {
   return half_of(read(spec), which == "trained" ? Half::trained : Half::held_out);
 }
 
+Pool read_where(std::string_view arguments, const Reader& read) {
+  const auto [spec, conditions] = split_last_argument(arguments);
+  if (!conditions)
+    throw UsageError(fmt::format("where({}): which? write where(SPEC;nice,memory<=2,finite)", excerpt(arguments)));
+  auto met = those_that_meet(*conditions, list_of(read(spec)));
+  if (met.empty()) throw UsageError(fmt::format("where({}): none is so", excerpt(arguments)));
+  return {std::move(met), {}};
+}
+
 }  // namespace
 
 void add_selections(Registry& registry) {
@@ -49,6 +59,12 @@ void add_selections(Registry& registry) {
                           "the others",
                           "docs/ipd-tournament.md"},
                          read_half);
+  registry.add_selection({"where(SPEC;CONDITIONS)",
+                          {},
+                          "the strategies of SPEC that are so: machine, finite, deterministic, nice, memory<=2, "
+                          "states<=4; 'not' turns one round",
+                          "docs/ipd-strategies.md"},
+                         read_where);
 }
 
 }  // namespace folk

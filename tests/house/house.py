@@ -11,7 +11,7 @@ LIBRARIES = ["games", "strategies", "analysis", "sct", "mpe"]
 # folder's own floor.
 WINGS = {
     "games": [[""], ["stage_games"]],
-    "strategies": [[""], ["programs"], ["standard"]],
+    "strategies": [[""], ["programs"], ["axelrod"], ["standard"]],
     "analysis": [["play"], ["crew"], ["tournament", "replies", "thresholds", "beliefs", "folk_theorem"], ["classes"],
                  ["evolution", "equilibria"], ["pictures"]],
     "sct": [["files"], ["network"], ["data"], ["policy"], ["training"]],

@@ -1,5 +1,7 @@
 // What every strategy must keep to, whatever it plays.
 
+#include "strategies/named.h"
+
 #include <folk/games/random.h>
 #include <folk/strategies/automaton.h>
 #include <folk/strategies/registry.h>
@@ -9,21 +11,40 @@
 #include <cctype>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace folk {
 namespace {
 
 /// Every named strategy, and one of each family and form.
-std::vector<Strategy> specimens() {
-  return Registry::standard().roster(
-      "all,random(0.3),mem1(c;0.9,0.1,0.8,0.3),mem1(0.5;1,0,0.25,0),gtft(0.3),joss(0.9),zd_extort(3),zd_extort(2;0.1),"
-      "zd_generous(2),equalizer(2),per_ccdcd,mem12_ccCDCDDCDC,mem21_dcCDCDCDDC,mem22_cdCCDDCDCDDDCCCDDD");
+const std::vector<Strategy>& specimens() {
+  static const auto all = [] {
+    auto strategies = test::every_named();
+    for (const auto& strategy : test::roster(
+             "random(0.3),mem1(c;0.9,0.1,0.8,0.3),mem1(0.5;1,0,0.25,0),gtft(0.3),joss(0.9),zd_extort(3),zd_extort(2;0."
+             "1),"
+             "zd_generous(2),equalizer(2),per_ccdcd,mem12_ccCDCDDCDC,mem21_dcCDCDCDDC,mem22_cdCCDDCDCDDDCCCDDD"))
+      strategies.push_back(strategy);
+    return strategies;
+  }();
+  return all;
+}
+
+/// The places of those that are machines.
+std::vector<std::size_t> machines() {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < specimens().size(); ++i)
+    if (specimens()[i].machine) places.push_back(i);
+  return places;
 }
 
 class Conformance : public ::testing::TestWithParam<std::size_t> {
 protected:
   Strategy strategy = specimens()[GetParam()];
 };
+
+/// What machines must keep to besides.
+class MachineConformance : public Conformance {};
 
 TEST_P(Conformance, ItsNameMakesItAgain) {
   const Strategy again = Registry::standard().make(strategy.name);
@@ -45,8 +66,8 @@ TEST_P(Conformance, ItIsDescribed) {
   for (const auto& alias : description.aliases) EXPECT_EQ(registry.make(alias).name, strategy.name);
 }
 
-TEST_P(Conformance, ItsStatesHoldProbabilitiesAndItSaysTruthfullyWhetherItMixes) {
-  const Automaton table = unroll(*strategy.machine, Sense::any_own_moves, 9);
+TEST_P(MachineConformance, ItsStatesHoldProbabilitiesAndItSaysTruthfullyWhetherItMixes) {
+  const Automaton table = unroll(*strategy.machine, Sense::any_own_moves, 12);
   bool mixes = false;
   for (std::size_t i = 0; i < table.size(); ++i) {
     if (table.beyond() == i) continue;
@@ -57,15 +78,16 @@ TEST_P(Conformance, ItsStatesHoldProbabilitiesAndItSaysTruthfullyWhetherItMixes)
   EXPECT_EQ(strategy.machine->deterministic(), !mixes);
 }
 
-TEST_P(Conformance, ItIsFiniteIffItSaysSo) {
+TEST_P(MachineConformance, ItIsFiniteIffItSaysSo) {
   if (strategy.name == "mathieu_badbet") GTEST_SKIP() << "badbet but for a flag, and twice as many states";
+  if (strategy.name.ends_with("majority_40")) GTEST_SKIP() << "2^40 states";
   // badbet alone needs millions.
   const std::size_t most = strategy.machine->finite() ? 5'000'000 : 100'000;
   const auto table = tabulate(*strategy.machine, Sense::any_own_moves, most);
   EXPECT_EQ(table.has_value(), strategy.machine->finite());
 }
 
-TEST_P(Conformance, PlayerAndMachineAndMinimalTableAgreeUnderAnyPlay) {
+TEST_P(MachineConformance, PlayerAndMachineAndMinimalTableAgreeUnderAnyPlay) {
   const Machine& machine = *strategy.machine;
   const Automaton minimal = minimise(unroll(machine, Sense::any_own_moves, 12), Sense::any_own_moves);
   RandomStream random({7, GetParam(), 0, 0});
@@ -118,7 +140,7 @@ TEST_P(Conformance, ItPlaysTheSameAgainIfItIsDeterministicAndBelievesInProbabili
   }
 }
 
-TEST_P(Conformance, ItsViewAsControlAndCountersKeepsTheState) {
+TEST_P(MachineConformance, ItsViewAsControlAndCountersKeepsTheState) {
   const Machine& machine = *strategy.machine;
   RandomStream random({8, GetParam(), 0, 0});
   State state = machine.start();
@@ -137,7 +159,7 @@ TEST_P(Conformance, ItsViewAsControlAndCountersKeepsTheState) {
 
 /// The contract of Machine: with control and number of counters kept, the next control and what is added to each
 /// counter depend on (control, own, theirs) alone, as long as counters stay in the range of their control.
-TEST_P(Conformance, ItsCountersDriftByControlAlone) {
+TEST_P(MachineConformance, ItsCountersDriftByControlAlone) {
   const Machine& machine = *strategy.machine;
   RandomStream random({9, GetParam(), 0, 0});
   std::map<std::pair<State, std::size_t>, std::array<std::int64_t, 2>> drifts;
@@ -165,6 +187,7 @@ std::string test_name(const ::testing::TestParamInfo<std::size_t>& tested) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Conformance, ::testing::Range<std::size_t>(0, specimens().size()), test_name);
+INSTANTIATE_TEST_SUITE_P(All, MachineConformance, ::testing::ValuesIn(machines()), test_name);
 
 TEST(Grudger, IsBlindToItsOwnDefection) {
   const Strategy grudger = Registry::standard().make("grudger");

@@ -1,7 +1,6 @@
 // Names that other projects use play here as they do there, also when a move of their own slips; where one does not, it
 // says so, and theirs is here under another name.
 
-#include "csv.h"
 #include "strategies/named.h"
 
 #include <folk/games/random.h>
@@ -175,22 +174,6 @@ TEST(Peers, PlayAsTheyAreDefinedWhateverSlips) {
         state = machine.next(state, read(own.back()), read(theirs.back()));
       }
     }
-  }
-}
-
-TEST(Peers, PlayAsWasRecorded) {
-  const auto rows = test::read_csv("axelrod_plays.csv");
-  ASSERT_EQ(rows.size(), 55U);
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    const Strategy strategy = named(rows[i][0]);
-    std::string moves;
-    State state = strategy.machine->start();
-    for (const char theirs : rows[i][1]) {
-      const Move own = move_of(*strategy.machine, state);
-      moves += to_char(own);
-      state = strategy.machine->next(state, own, theirs == 'C' ? Move::C : Move::D);
-    }
-    EXPECT_EQ(moves, rows[i][2]) << rows[i][0];
   }
 }
 

@@ -117,6 +117,12 @@ TEST(Registry, MergesRostersAndFamiliesThatOverlap) {
   EXPECT_NE(refusal("proba(3),mem1(c;1,1/3,1,1/3)").find("given twice"), std::string::npos);
 }
 
+TEST(Registry, HasTheFieldsOfTheLiterature) {
+  EXPECT_EQ(names("axelrod1980").size(), 15U);
+  EXPECT_EQ(names("stewart_plotkin2012").size(), 19U);
+  EXPECT_EQ(names("axelrod_library").size(), 187U);
+}
+
 TEST(Registry, LabelsASingleEntrant) {
   EXPECT_EQ(names("hard=random(0.2),soft=random(0.8),pavlov,Mine=tft"),
             (std::vector<std::string>{"hard", "soft", "pavlov", "Mine"}));

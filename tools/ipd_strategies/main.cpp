@@ -77,7 +77,7 @@ std::size_t widest_name(const std::vector<Description>& descriptions) {
 
 void print_list(const std::vector<Entry>& entries, const std::vector<Description>& groups) {
   constexpr std::size_t page = 120;
-  constexpr std::size_t columns_of_facts = 44;
+  constexpr std::size_t columns_of_facts = 47;
   std::vector<Description> families;
   std::vector<Description> players;
   Table strategies({"name", "memory", "states", "deterministic", "nice", "behaviour"});

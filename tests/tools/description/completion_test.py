@@ -80,8 +80,8 @@ class InTheShell:
         self.expect("ipd-match tit_for_tat probe", ["ipd-match", "tit_for_tat", "prober"])
 
     def test_the_last_item_of_a_spec(self):
-        self.expect("ipd-tournament --strategies pavlov,spiteful_", ["ipd-tournament", "--strategies", "pavlov,spiteful_cc"])
-        self.expect('ipd-tournament --strategies "pavlov,spiteful_', ["ipd-tournament", "--strategies", "pavlov,spiteful_cc"])
+        self.expect("ipd-tournament --strategies pavlov,spiteful_c", ["ipd-tournament", "--strategies", "pavlov,spiteful_cc"])
+        self.expect('ipd-tournament --strategies "pavlov,spiteful_c', ["ipd-tournament", "--strategies", "pavlov,spiteful_cc"])
         self.expect("ipd-tournament --include hard=mem2_", ["ipd-tournament", "--include", "hard=mem2_sct"])
 
     def test_values_and_options(self):
@@ -131,7 +131,7 @@ class Fish(unittest.TestCase):
         self.assertEqual(self.complete("ipd-match tit_"), ["tit_for_tat", "tit_for_two_tats"])
         self.assertEqual(self.complete("ipd-tournament --criterion disc"), ["discounted:"])
         self.assertEqual(self.complete("ipd-tournament --criterion=disc"), ["--criterion=discounted:"])
-        self.assertEqual(self.complete("ipd-tournament --strategies pavlov,spiteful_"), ["pavlov,spiteful_cc"])
+        self.assertEqual(self.complete("ipd-tournament --strategies pavlov,spiteful_c"), ["pavlov,spiteful_cc"])
         self.assertEqual(self.complete("mpe-train coll"), ["collect"])
 
 
