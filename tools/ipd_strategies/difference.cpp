@@ -12,8 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* sense_text(Sense sense) { return sense == Sense::any_own_moves ? "any own moves" : "own moves its own"; }
-
 std::string moves_of(const std::vector<Outcome>& play, Move Outcome::*whose, const char* between) {
   std::string text;
   for (const Outcome& round : play) text += (text.empty() ? "" : between) + std::string(1, to_char(round.*whose));
@@ -26,6 +24,10 @@ std::string plays(const std::string& name, double cooperation) {
 }
 
 }  // namespace
+
+const char* sense_text(Sense sense) { return sense == Sense::any_own_moves ? "any own moves" : "own moves its own"; }
+
+const char* sense_key(Sense sense) { return sense == Sense::any_own_moves ? "any_own_moves" : "own_moves_its_own"; }
 
 Comparison compared(const Machine& first, const Machine& second, bool same_name, Sense sense, std::size_t most_pairs) {
   if (first.finite() || second.finite() || !same_name) return compare(first, second, sense, most_pairs);
@@ -56,7 +58,7 @@ Json difference_json(const Difference& difference) {
   const bool different = found.equivalence == Equivalence::different;
   Json json;
   json["result"] = different ? "different" : found.equivalence == Equivalence::equivalent ? "equivalent" : "undecided";
-  json["sense"] = difference.sense == Sense::any_own_moves ? "any_own_moves" : "own_moves_its_own";
+  json["sense"] = sense_key(difference.sense);
   json["strategies"] = {difference.first, difference.second};
   json["pairs"] = found.pairs;
   json["depth"] = found.depth;

@@ -16,6 +16,10 @@ struct Difference {
   Comparison found;
 };
 
+/// "any own moves" or "own moves its own", and the same as a word of JSON and CSV.
+const char* sense_text(Sense sense);
+const char* sense_key(Sense sense);
+
 /// What comes out for two machines, and whether they are one strategy by name: of an infinite one walking would never
 /// end, and there is nothing to prove.
 Comparison compared(const Machine& first, const Machine& second, bool same_name, Sense sense, std::size_t most_pairs);

@@ -20,6 +20,7 @@
 #include <folk/tools/ipd_strategies/difference.h>
 #include <folk/tools/ipd_strategies/entry.h>
 #include <folk/tools/ipd_strategies/reply.h>
+#include <folk/tools/ipd_strategies/same.h>
 #include <folk/tools/program/program.h>
 #include <folk/tools/program/table.h>
 
@@ -244,32 +245,33 @@ Program ipd_strategies() {
   Program program;
   program.name = "ipd-strategies";
   program.title = "what is known of the strategies, and whether two of them are the same";
-  program.usage = "list [SPEC] | show NAME | diff A B | reply OPPONENTS | champion [options]";
+  program.usage = "list [SPEC] | show NAME | diff A B | same SPEC | reply OPPONENTS | champion [options]";
   program.verbs = {{"list", "every strategy, roster and family, or those of a SPEC", {}},
                    {"show", "all that is known of one strategy", {}},
                    {"diff", "proves that two answer alike, or separates them", {}},
+                   {"same", "which of a SPEC are one strategy under several names", {}},
                    {"reply", "the best reply to one, or to several", {}},
                    {"champion", "the member of a complete class that earns most against all", {}}};
   program.summary =
       "list: every strategy, roster and family, with what can be computed of it, or those of SPEC. show: all that is\n"
-      "known of one, with its machine. diff: proves that two strategies answer alike, or prints the shortest play of "
-      "the opponent\n"
-      "that separates them. reply: the best reply to a machine, or with --memory-one the best memory-one reply that "
-      "is\n"
-      "found to several. champion: the member of a complete class that earns most against all of them, proved up to\n"
-      "memory(2,2), else as a search finds it. NAME is a strategy, @FILE or @FILE#MACHINE (@- is the standard input); "
-      "LABEL=NAME renames it.";
+      "known of one, with its machine. diff: proves that two strategies answer alike, or prints the shortest play of\n"
+      "the opponent that separates them. same: those of SPEC that answer alike, each group proved. reply: the best\n"
+      "reply to a machine, or with --memory-one the best memory-one reply that is found to several. champion: the\n"
+      "member of a complete class that earns most against all of them, proved up to memory(2,2), else as a search\n"
+      "finds it. NAME is a strategy, @FILE or @FILE#MACHINE (@- is the standard input); LABEL=NAME renames it.";
   program.examples = {"ipd-strategies list",
                       "ipd-strategies list 'sample(memory(2,2);5;seed=7)'",
                       "ipd-strategies show pavlov",
                       "ipd-strategies diff spiteful mem11_cCDDD",
                       "ipd-strategies diff spiteful mem11_cCDDD --any-own-moves",
+                      "ipd-strategies same 'axelrod_library,all'",
                       "ipd-strategies reply pavlov --criterion discounted:0.9",
                       "ipd-strategies reply 'tit_for_tat,pavlov,all_d' --memory-one --criterion mean",
                       "ipd-strategies champion --class 'memory(2,2)' --rounds 1000"};
   auto add = program.options.add_options();
-  add("any-own-moves", "diff: own moves may differ from the machine's own, as noise and deviations make them");
-  add("most-pairs", po::value<std::string>(), "diff: joint states after which to stop (default 1000000)");
+  add("any-own-moves", "diff, same: own moves may differ from the machine's own, as noise and deviations make them");
+  add("most-pairs", po::value<std::string>(),
+      "diff, same: joint states of a pair after which to stop (default 1000000; same: 100000)");
   add("payoffs", po::value<std::string>(), "T=5,R=3,P=1,S=0 (default): some strategies depend on them");
   add_reply_options(program.options);
   add_champion_options(program.options);
@@ -282,16 +284,19 @@ Program ipd_strategies() {
 int answer(const po::variables_map& values, const Common& common) {
   std::vector<std::string> words;
   if (values.count("command") != 0) words = values["command"].as<std::vector<std::string>>();
-  if (words.empty()) throw UsageError("nothing asked: list, show NAME, diff A B, reply OPPONENTS or champion");
+  if (words.empty())
+    throw UsageError("nothing asked: list, show NAME, diff A B, same SPEC, reply OPPONENTS or champion");
   const std::string payoffs_text = text_option(values, "payoffs");
   const Payoffs payoffs = payoffs_text.empty() ? Payoffs{} : parse_payoffs(payoffs_text);
   const Sense sense = values.count("any-own-moves") != 0 ? Sense::any_own_moves : Sense::own_moves_its_own;
-  const std::size_t most_pairs = whole_option(values, "most-pairs", 1'000'000, 1, 10'000'000);
   const std::string& command = words.front();
+  const std::size_t usual_pairs = command == "same" ? 100'000 : 1'000'000;
+  const std::size_t most_pairs = whole_option(values, "most-pairs", usual_pairs, 1, 10'000'000);
   if (command == "list" && words.size() == 1) return list(common);
   if (command == "list" && words.size() == 2) return list_roster(words[1], payoffs, common);
   if (command == "show" && words.size() == 2) return show(words[1], payoffs, common);
   if (command == "diff" && words.size() == 3) return diff(words[1], words[2], sense, most_pairs, payoffs, common);
+  if (command == "same" && words.size() == 2) return same(words[1], sense, most_pairs, payoffs, common);
   if (command == "reply" && words.size() == 2) return reply(words[1], payoffs, values, common);
   if (command == "champion" && words.size() == 1) return champion(payoffs, values, common);
   if (command == "champion") throw UsageError("champion takes no names: ipd-strategies champion --class 'memory(2,2)'");
@@ -299,9 +304,10 @@ int answer(const po::variables_map& values, const Common& common) {
     throw UsageError("list takes at most one SPEC: ipd-strategies list, or ipd-strategies list classics");
   if (command == "show") throw UsageError("show takes one name: ipd-strategies show pavlov");
   if (command == "diff") throw UsageError("diff takes two names: ipd-strategies diff spiteful mem11_cCDDD");
+  if (command == "same") throw UsageError("same takes one SPEC: ipd-strategies same axelrod_library");
   if (command == "reply") throw UsageError("reply takes one SPEC of opponents: ipd-strategies reply pavlov");
-  throw UsageError(
-      fmt::format("'{}': expected list, show NAME, diff A B, reply OPPONENTS or champion", excerpt(command)));
+  throw UsageError(fmt::format("'{}': expected list, show NAME, diff A B, same SPEC, reply OPPONENTS or champion",
+                               excerpt(command)));
 }
 
 }  // namespace

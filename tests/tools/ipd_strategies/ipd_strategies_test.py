@@ -127,6 +127,18 @@ class Diff(unittest.TestCase):
         self.assertEqual(found["answers"], {"first": 0, "second": 1})
         self.assertEqual(found["depth"], 1)
 
+    def test_those_of_a_spec_that_are_the_same(self):
+        spec = "spiteful,tit_for_tat,mem11_cCDDD,mem01_cCD,bayes(classics)"
+        found = json.loads(run("same", spec, "--format", "json").stdout)
+        self.assertEqual(found["groups"], [["spiteful", "mem11_cCDDD"], ["tit_for_tat", "mem01_cCD"]])
+        self.assertEqual(found["undecided"], [])
+        self.assertEqual(found["players"], ["bayes(classics)"])
+        found = json.loads(run("same", spec, "--any-own-moves", "--format", "json").stdout)
+        self.assertEqual(found["groups"], [["tit_for_tat", "mem01_cCD"]])
+        self.assertEqual(run("same", "all_c,mem01_cCC", "--format", "csv").stdout,
+                         "group,result,strategy\n1,equivalent,all_c\n1,equivalent,mem01_cCC\n")
+        self.assertIn("\nnone\n", run("same", "all_c").stdout)
+
     def test_first_moves(self):
         self.assertEqual(text("diff", "tit_for_tat", "mistrust"),
                          "different: in the first round tit_for_tat plays C, mistrust plays D\n")
@@ -209,8 +221,9 @@ class Refusals(unittest.TestCase):
         self.assertRegex(done.stderr, pattern)
 
     def test_wrong_usage(self):
-        self.refused(2, "list, show NAME, diff A B, reply OPPONENTS or champion")
-        self.refused(2, "'draw': expected list, show NAME, diff A B, reply OPPONENTS or champion", "draw")
+        self.refused(2, "list, show NAME, diff A B, same SPEC, reply OPPONENTS or champion")
+        self.refused(2, "'draw': expected list, show NAME, diff A B, same SPEC, reply OPPONENTS or champion", "draw")
+        self.refused(2, "same takes one SPEC", "same")
         self.refused(2, "reply takes one SPEC", "reply")
         self.refused(2, "stands for 17 strategies", "reply", "classics")
         self.refused(2, "give a --horizon", "reply", "soft_majo", "--criterion", "discounted:0.9")
