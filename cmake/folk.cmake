@@ -55,7 +55,7 @@ endfunction()
 
 # For builds that are made once (scripts/, the sanitizers): the sources of a folder are compiled as one, which reads each
 # header once a folder and takes a third of the time. So no two sources of a folder may name two things alike. ON spares the
-# libraries in which products are fused with sums: what is fused depends on what is inlined, and with it a last digit.
+# sources in which products are fused with sums: what is fused depends on what is inlined, and with it a last digit.
 set(FOLK_FOLDERS_AS_ONE OFF CACHE STRING "Compile the sources of each folder as one: OFF, ON where no number can change, ALL")
 set(FOLK_OPTIMISED_FOLDERS "" CACHE STRING "Folders that FOLK_FOLDERS_AS_ONE compiles with -O1, such as sct_network")
 
@@ -94,9 +94,10 @@ endif()
 set(FOLK_LEFT_OUT "" CACHE STRING "Regular expression: sources of the libraries that this build has no use for")
 
 # folk_library(games DEPENDS fmt::fmt): the library of this folder, folk::games, from all its sources, those in
-# its rooms too. NOTHING_FUSED: no product is fused with a sum, so that its numbers are the same on every processor.
+# its rooms too. No product is fused with a sum, so that its numbers are the same on every processor, but in the sources FUSED.
+# PRECOMPILED_FOR strategies: it takes what was read for that library.
 function(folk_library name)
-  cmake_parse_arguments(ARG "NOTHING_FUSED" "" "DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "" "PRECOMPILED_FOR" "FUSED;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
   if(FOLK_LEFT_OUT)
@@ -106,12 +107,17 @@ function(folk_library name)
   add_library(folk::${name} ALIAS folk_${name})
   set_target_properties(folk_${name} PROPERTIES EXPORT_NAME ${name})
   folk_compile_options(folk_${name})
-  folk_precompile(folk_${name})
-  if(FOLK_FOLDERS_AS_ONE STREQUAL "ALL" OR ARG_NOTHING_FUSED)
-    folk_folders_as_one(folk_${name} ${sources})
+  if(ARG_PRECOMPILED_FOR)
+    folk_precompile(folk_${name} REUSE_FROM folk_${ARG_PRECOMPILED_FOR})
+  else()
+    folk_precompile(folk_${name})
   endif()
-  if(ARG_NOTHING_FUSED)
+  folk_folders_as_one(folk_${name} ${sources})
+  if(NOT ARG_FUSED OR NOT FOLK_FOLDERS_AS_ONE STREQUAL "ALL")
     target_compile_options(folk_${name} PRIVATE -ffp-contract=off)
+    set_property(SOURCE ${ARG_FUSED} APPEND PROPERTY COMPILE_OPTIONS -ffp-contract=$<IF:$<CXX_COMPILER_ID:GNU>,fast,on>)
+    # GCC takes what is fused from the precompiled header, whatever the command line says.
+    set_source_files_properties(${ARG_FUSED} PROPERTIES SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
   endif()
   target_include_directories(folk_${name} PUBLIC $<BUILD_INTERFACE:${FOLK_INCLUDE_ROOT}>
                                                  $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)

@@ -55,7 +55,7 @@ class ReadPolicy(unittest.TestCase):
 
     def test_shipped_policies(self):
         for path in (ROOT / "data" / "policies").glob("*.bin"):
-            version = 2 if path.stem == "sct-plan" else 1
+            version = 1 if path.stem in ("sct", "sct-bayes") else 2  # which plan
             self.assertIn(f"format: folk-sct-{version}", shown(path))
 
     def test_the_documented_checksum(self):

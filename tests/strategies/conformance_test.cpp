@@ -16,7 +16,8 @@
 namespace folk {
 namespace {
 
-/// Every named strategy, and one of each family and form.
+/// Every named strategy, and one of each family and form. Made once: whenever this program starts, each test is named
+/// after one.
 const std::vector<Strategy>& specimens() {
   static const auto all = [] {
     auto strategies = test::every_named();

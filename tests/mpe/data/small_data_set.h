@@ -33,15 +33,18 @@ inline void append(sct::NpyArray& array, const std::vector<double>& row) {
 inline Arrays played_arrays(const Layout& layout, const Cast& cast, std::uint64_t seed, std::uint64_t first,
                             std::size_t episodes) {
   Arrays arrays;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::string file = std::to_string(i) + ".npy";
-    auto& obs = arrays["obs_" + file] = {{0, layout.scenario().observation_size(i)}, {}};
-    auto& next = arrays["next_obs_" + file] = obs;
-    auto& acs = arrays["acs_" + file] = {{0, 2}, {}};
-    auto& rews = arrays["rews_" + file] = {{0}, {}};
-    auto& dones = arrays["dones_" + file] = {{0}, {}};
-    for (std::size_t e = 0; e < episodes; ++e) {
-      const auto record = record_episode(layout, cast, seed, first + e);
+  for (std::size_t e = 0; e < episodes; ++e) {
+    const auto record = record_episode(layout, cast, seed, first + e);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::string file = std::to_string(i) + ".npy";
+      const auto array = [&](const char* name, const std::vector<std::size_t>& shape) -> sct::NpyArray& {
+        return arrays.try_emplace(name + file, sct::NpyArray{shape, {}}).first->second;
+      };
+      auto& obs = array("obs_", {0, layout.scenario().observation_size(i)});
+      auto& next = array("next_obs_", {0, layout.scenario().observation_size(i)});
+      auto& acs = array("acs_", {0, 2});
+      auto& rews = array("rews_", {0});
+      auto& dones = array("dones_", {0});
       for (std::size_t t = 1; t < record.rows.size(); ++t) {
         append(obs, record.rows[t - 1].observations[i]);
         append(acs, {record.rows[t].actions[i].x, record.rows[t].actions[i].y});
