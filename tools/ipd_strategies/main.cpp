@@ -19,6 +19,7 @@
 #include <folk/tools/ipd_strategies/champion.h>
 #include <folk/tools/ipd_strategies/difference.h>
 #include <folk/tools/ipd_strategies/entry.h>
+#include <folk/tools/ipd_strategies/equilibria.h>
 #include <folk/tools/ipd_strategies/reply.h>
 #include <folk/tools/ipd_strategies/same.h>
 #include <folk/tools/program/program.h>
@@ -245,26 +246,30 @@ Program ipd_strategies() {
   Program program;
   program.name = "ipd-strategies";
   program.title = "what is known of the strategies, and whether two of them are the same";
-  program.usage = "list [SPEC] | show NAME | diff A B | same SPEC | reply OPPONENTS | champion [options]";
+  program.usage =
+      "list [SPEC] | show NAME | diff A B | same SPEC | equilibria SPEC | reply OPPONENTS | champion [options]";
   program.verbs = {{"list", "every strategy, roster and family, or those of a SPEC", {}},
                    {"show", "all that is known of one strategy", {}},
                    {"diff", "proves that two answer alike, or separates them", {}},
                    {"same", "which of a SPEC are one strategy under several names", {}},
+                   {"equilibria", "from which discount factors on each of a SPEC is one with its copy", {}},
                    {"reply", "the best reply to one, or to several", {}},
                    {"champion", "the member of a complete class that earns most against all", {}}};
   program.summary =
       "list: every strategy, roster and family, with what can be computed of it, or those of SPEC. show: all that is\n"
       "known of one, with its machine. diff: proves that two strategies answer alike, or prints the shortest play of\n"
-      "the opponent that separates them. same: those of SPEC that answer alike, each group proved. reply: the best\n"
-      "reply to a machine, or with --memory-one the best memory-one reply that is found to several. champion: the\n"
-      "member of a complete class that earns most against all of them, proved up to memory(2,2), else as a search\n"
-      "finds it. NAME is a strategy, @FILE or @FILE#MACHINE (@- is the standard input); LABEL=NAME renames it.";
+      "the opponent that separates them. same: those of SPEC that answer alike, each group proved. equilibria:\n"
+      "the exact discount factors at which each of SPEC is in equilibrium with its copy. reply: the best reply to a\n"
+      "machine, or with --memory-one the best memory-one reply that is found to several. champion: the member of a\n"
+      "complete class that earns most against all of them, proved up to memory(2,2), else as a search finds it. NAME "
+      "is a strategy, @FILE or @FILE#MACHINE (@- is the standard input); LABEL=NAME renames it.";
   program.examples = {"ipd-strategies list",
                       "ipd-strategies list 'sample(memory(2,2);5;seed=7)'",
                       "ipd-strategies show pavlov",
                       "ipd-strategies diff spiteful mem11_cCDDD",
                       "ipd-strategies diff spiteful mem11_cCDDD --any-own-moves",
                       "ipd-strategies same 'axelrod_library,all'",
+                      "ipd-strategies equilibria classics",
                       "ipd-strategies reply pavlov --criterion discounted:0.9",
                       "ipd-strategies reply 'tit_for_tat,pavlov,all_d' --memory-one --criterion mean",
                       "ipd-strategies champion --class 'memory(2,2)' --rounds 1000"};
@@ -285,7 +290,8 @@ int answer(const po::variables_map& values, const Common& common) {
   std::vector<std::string> words;
   if (values.count("command") != 0) words = values["command"].as<std::vector<std::string>>();
   if (words.empty())
-    throw UsageError("nothing asked: list, show NAME, diff A B, same SPEC, reply OPPONENTS or champion");
+    throw UsageError(
+        "nothing asked: list, show NAME, diff A B, same SPEC, equilibria SPEC, reply OPPONENTS or champion");
   const std::string payoffs_text = text_option(values, "payoffs");
   const Payoffs payoffs = payoffs_text.empty() ? Payoffs{} : parse_payoffs(payoffs_text);
   const Sense sense = values.count("any-own-moves") != 0 ? Sense::any_own_moves : Sense::own_moves_its_own;
@@ -297,6 +303,7 @@ int answer(const po::variables_map& values, const Common& common) {
   if (command == "show" && words.size() == 2) return show(words[1], payoffs, common);
   if (command == "diff" && words.size() == 3) return diff(words[1], words[2], sense, most_pairs, payoffs, common);
   if (command == "same" && words.size() == 2) return same(words[1], sense, most_pairs, payoffs, common);
+  if (command == "equilibria" && words.size() == 2) return equilibria(words[1], payoffs, values, common);
   if (command == "reply" && words.size() == 2) return reply(words[1], payoffs, values, common);
   if (command == "champion" && words.size() == 1) return champion(payoffs, values, common);
   if (command == "champion") throw UsageError("champion takes no names: ipd-strategies champion --class 'memory(2,2)'");
@@ -305,9 +312,11 @@ int answer(const po::variables_map& values, const Common& common) {
   if (command == "show") throw UsageError("show takes one name: ipd-strategies show pavlov");
   if (command == "diff") throw UsageError("diff takes two names: ipd-strategies diff spiteful mem11_cCDDD");
   if (command == "same") throw UsageError("same takes one SPEC: ipd-strategies same axelrod_library");
+  if (command == "equilibria") throw UsageError("equilibria takes one SPEC: ipd-strategies equilibria classics");
   if (command == "reply") throw UsageError("reply takes one SPEC of opponents: ipd-strategies reply pavlov");
-  throw UsageError(fmt::format("'{}': expected list, show NAME, diff A B, same SPEC, reply OPPONENTS or champion",
-                               excerpt(command)));
+  throw UsageError(
+      fmt::format("'{}': expected list, show NAME, diff A B, same SPEC, equilibria SPEC, reply OPPONENTS or champion",
+                  excerpt(command)));
 }
 
 }  // namespace

@@ -265,7 +265,7 @@ void add_reply_options(po::options_description& options) {
   add("horizon", po::value<std::string>(), "reply: rounds of a machine without end that are looked at");
   add("memory-one", "reply: the best memory-one reply that a search finds, to one opponent or a SPEC of them");
   add("threads", po::value<std::string>(),
-      "reply, champion: threads (default: one a processor); the result does not depend on it");
+      "reply, equilibria, champion: threads (default: one a processor); the result does not depend on it");
 }
 
 int reply(const std::string& opponents, const Payoffs& payoffs, const po::variables_map& values, const Common& common) {

@@ -139,6 +139,22 @@ class Diff(unittest.TestCase):
                          "group,result,strategy\n1,equivalent,all_c\n1,equivalent,mem01_cCC\n")
         self.assertIn("\nnone\n", run("same", "all_c").stdout)
 
+    def test_in_equilibrium_with_a_copy(self):
+        found = {one["name"]: one for one in json.loads(run("equilibria", "tit_for_tat,spiteful,all_c,all_d,soft_majo,random(0.5)",
+                                                            "--format", "json").stdout)["entrants"]}
+        # By hand: a D gains 2 once; tit_for_tat answers it by turns of D and C, spiteful by D for ever.
+        self.assertEqual(found["tit_for_tat"]["thresholds_exact"]["nash"], [["2/3", "1"]])
+        self.assertEqual(found["spiteful"]["thresholds_exact"]["subgame_perfect"], [["1/2", "1"]])
+        self.assertEqual(found["all_c"]["thresholds_exact"]["nash"], [])
+        self.assertEqual(found["all_d"]["thresholds_exact"]["subgame_perfect"], [["0", "1"]])
+        for name in ("soft_majo", "random(0.5)"):
+            self.assertIsNone(found[name]["thresholds_exact"])
+        # The same as sce-check says.
+        done = subprocess.run([Path(os.environ["FOLK_BIN"]) / "sce-check", "pavlov", "pavlov", "--criterion", "discounted:0.9",
+                               "--format", "json"], capture_output=True, text=True, timeout=60)
+        whole = json.loads(run("equilibria", "pavlov", "--format", "json").stdout)["entrants"][0]
+        self.assertEqual(whole["thresholds_exact"], json.loads(done.stdout)["thresholds_exact"])
+
     def test_first_moves(self):
         self.assertEqual(text("diff", "tit_for_tat", "mistrust"),
                          "different: in the first round tit_for_tat plays C, mistrust plays D\n")
@@ -221,9 +237,10 @@ class Refusals(unittest.TestCase):
         self.assertRegex(done.stderr, pattern)
 
     def test_wrong_usage(self):
-        self.refused(2, "list, show NAME, diff A B, same SPEC, reply OPPONENTS or champion")
-        self.refused(2, "'draw': expected list, show NAME, diff A B, same SPEC, reply OPPONENTS or champion", "draw")
+        self.refused(2, "list, show NAME, diff A B, same SPEC, equilibria SPEC, reply OPPONENTS or champion")
+        self.refused(2, "'draw': expected list, show NAME, diff A B, same SPEC, equilibria SPEC, reply OPPONENTS or champion", "draw")
         self.refused(2, "same takes one SPEC", "same")
+        self.refused(2, "equilibria takes one SPEC", "equilibria", "pavlov", "all_d")
         self.refused(2, "reply takes one SPEC", "reply")
         self.refused(2, "stands for 17 strategies", "reply", "classics")
         self.refused(2, "give a --horizon", "reply", "soft_majo", "--criterion", "discounted:0.9")
