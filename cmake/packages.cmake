@@ -51,6 +51,22 @@ if(FOLK_HAS_MPI)
   DESCRIPTION "Lets the ranks that mpirun or srun start share the work of a tournament or of\nan evolution.")
 endif()
 
+if(FOLK_HAS_PYTHON)
+  # The module is for one Python; Debian's interpreter finds the package in dist-packages, and the data are those of the programs.
+  math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
+  folk_package(python3-folk SECTION python DEPENDS "folk (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})"
+    "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR})" "python3 (<< ${Python_VERSION_MAJOR}.${next_minor})" python3-numpy
+    RECOMMENDS python3-pandas python3-networkx
+  DESCRIPTION "import folk: tournaments, equilibrium claims, evolution, the transformer and the\nparticle world from Python, with numpy arrays, and with players that are written\nin Python.")
+  set(CPACK_DEBIAN_PYTHON3-FOLK_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/debian/postinst ${PROJECT_SOURCE_DIR}/cmake/debian/prerm)
+  set(CPACK_DEBIAN_PYTHON3-FOLK_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+  folk_install_python(lib/python3/dist-packages python3-folk)
+  set(data_link ${PROJECT_BINARY_DIR}/packages/python3-folk/data)
+  file(RELATIVE_PATH data /lib/python3/dist-packages/folk /${CMAKE_INSTALL_DATADIR}/folk)
+  file(CREATE_LINK ${data} ${data_link} SYMBOLIC)
+  install(FILES ${data_link} DESTINATION lib/python3/dist-packages/folk COMPONENT python3-folk EXCLUDE_FROM_ALL)
+endif()
+
 # What README and the pages of man speak of.
 set(doc ${CMAKE_INSTALL_DATADIR}/doc/folk)
 install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${doc} COMPONENT folk)

@@ -1,9 +1,12 @@
-"""lay_out.py ROOT BUILD: what Sphinx reads, in BUILD/source: the tree's pages by links, the gallery, the C++ pages."""
+"""lay_out.py ROOT BUILD: what Sphinx reads, in BUILD/source: the tree's pages by links, the gallery, the notebooks, the
+pages of the C++ and of the Python reference."""
 
 import sys
 from pathlib import Path
 
 from cpp_reference import Reference
+from notebooks import notebook_pages
+from python_reference import python_pages
 
 WINGS = ("games", "strategies", "analysis", "sct", "mpe")  # in the order in which they include each other
 
@@ -48,6 +51,8 @@ def main(root, build):
     linked(root, source)
     cpp_pages(root, source, build / "xml")
     gallery(root, source)
+    notebook_pages(root, source)
+    python_pages(source)
 
 
 if __name__ == "__main__":

@@ -10,6 +10,7 @@
 #include <folk/tools/choices/whole_class.h>
 #include <folk/tools/ipd_evolve/evolution_output.h>
 #include <folk/tools/ipd_evolve/fixation_output.h>
+#include <folk/tools/ipd_evolve/pictures.h>
 #include <folk/tools/ipd_evolve/question.h>
 #include <folk/tools/ipd_evolve/scores.h>
 #include <folk/tools/ipd_evolve/solved.h>
@@ -88,6 +89,18 @@ std::string evolution_form(const EvolutionPtr& held, const std::string& form) {
   });
 }
 
+void draw_held_evolution(const EvolutionPtr& held, const std::string& folder, const std::string& extension) {
+  const py::gil_scoped_release released;
+  if (held->solved) {
+    tools::require_fixation_picture(held->played.scores->size());
+    tools::draw_fixation(folder, *held->solved, extension);
+  } else if (held->evolution) {
+    tools::draw_evolution(folder, held->report(), extension);
+  } else {
+    throw UsageError("there is no picture of who took over in runs");
+  }
+}
+
 /// Generations that were kept, and the populations in them, a row a generation.
 py::tuple history_of(const EvolutionPtr& held) {
   std::vector<std::uint64_t> generations;
@@ -109,6 +122,8 @@ void add_evolution(py::module_& module) {
       .def("form", evolution_form, "What ipd-evolve prints: text, csv, json.", py::arg("name"))
       .def_property_readonly(
           "names", [](const EvolutionPtr& held) { return held->played.scores->names(); }, "The strategies, in order.")
+      .def("draw", draw_held_evolution, "The pictures of --plot, into a folder.", py::arg("folder"),
+           py::arg("extension"))
       .def("history", history_of, "Generations that were kept and their populations, (K,) and (K, N).");
   module.def("evolve", evolved, "Answers what the options of ipd-evolve ask.", py::arg("options"), py::arg("guests"),
              py::arg("progress"));

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <csignal>
 #include <functional>
+#include <string>
+#include <utility>
 
 namespace folk::python {
 namespace {
@@ -20,6 +22,13 @@ void count_interruption(int number) {
 bool in_main_thread() {
   const py::module_ threading = py::module_::import("threading");
   return threading.attr("current_thread")().is(threading.attr("main_thread")());
+}
+
+/// sys.stderr where it goes to the page of a notebook, else nothing.
+py::object notebook_page() {
+  py::object stream = py::module_::import("sys").attr("stderr");
+  const auto module = py::str(py::type::of(stream).attr("__module__")).cast<std::string>();
+  return module.starts_with("ipykernel") ? stream : py::object();
 }
 
 using Clock = std::chrono::steady_clock;
@@ -64,7 +73,15 @@ LongCall::LongCall(std::string what, const py::object& progress) {
         },
         stop);
   } else {
-    bar_ = std::make_unique<tools::ProgressBar>(std::move(what), progress.is_none());
+    if (progress.is_none()) page_ = notebook_page();
+    if (page_)
+      bar_ = std::make_unique<tools::ProgressBar>(std::move(what), [this](const std::string& text) {
+        const py::gil_scoped_acquire acquired;
+        page_.attr("write")(text);
+        page_.attr("flush")();
+      });
+    else
+      bar_ = std::make_unique<tools::ProgressBar>(std::move(what), progress.is_none());
     progress_ = Progress(std::ref(*bar_), stop);
   }
 }

@@ -35,8 +35,8 @@ private:
 };
 
 /// What long work is told, out of the argument `progress` of a Python call: None shows a bar where stderr is a
-/// terminal, False nothing, and a function gets the finished share, from 0 to 1, some ten times a second and at the
-/// end. What the function raises ends the work.
+/// terminal or a notebook's, False nothing, and a function gets the finished share, from 0 to 1, some ten times a
+/// second and at the end. What the function raises ends the work.
 class LongCall {
 public:
   LongCall(std::string what, const py::object& progress);
@@ -71,6 +71,7 @@ private:
   static void raise_signals();
 
   SignalWatch signals_;
+  py::object page_;  ///< that the bar is drawn on
   std::unique_ptr<tools::ProgressBar> bar_;
   py::object told_;
   Progress progress_;

@@ -24,23 +24,19 @@ HeldMatch played_match(const py::dict& options, const py::dict& guests, const py
   return match;
 }
 
-std::string match_text(const HeldMatch& match, std::size_t width) {
-  tools::Sheet sheet;
-  sheet.width = width;
-  return written([&](std::ostream& out) { tools::write_text(out, match.settings, match.record, sheet); });
+/// What the program prints in this form: "text" or "json".
+std::string match_form(const HeldMatch& match, const std::string& form) {
+  return written([&](std::ostream& out) {
+    if (form == "text") tools::write_text(out, match.settings, match.record, {});
+    if (form == "json") tools::write_json(out, match.settings, match.record);
+  });
 }
 
 }  // namespace
 
 void add_match(py::module_& module) {
   py::class_<HeldMatch>(module, "HeldMatch", "A match that was played; folk.Match shows it.")
-      .def_property_readonly(
-          "json",
-          [](const HeldMatch& match) {
-            return written([&](std::ostream& out) { tools::write_json(out, match.settings, match.record); });
-          },
-          "What ipd-match --format json prints.")
-      .def("text", match_text, "What ipd-match prints, at most `width` columns wide.", py::arg("width"));
+      .def("form", match_form, "What ipd-match prints: text, json.", py::arg("name"));
   module.def("match", played_match, "Plays the match that the options of ipd-match describe.", py::arg("options"),
              py::arg("guests"), py::arg("progress"));
 }

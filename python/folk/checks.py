@@ -5,6 +5,7 @@ from typing import Any, Dict, Optional
 
 from folk import _folk
 from folk._options import Options
+from folk._results import Result
 
 NOTIONS = ("nash", "subgame_perfect", "self_confirming_unrestricted", "self_confirming_class", "self_confirming_own",
            "beliefs")
@@ -58,13 +59,13 @@ class PairCheck:
         return f"<folk.PairCheck of {self.opponent}>"
 
 
-class Check:
+class Check(Result):
     """What sce-check tells of a policy (docs/sce-check.md). opponents: a PairCheck each; verdicts: the worst of all
     opponents by notion, one of folk.checks.NOTIONS, each a Verdict or None; belief: of a policy that holds beliefs, of all
     opponents together."""
 
     def __init__(self, held):
-        self._held = held
+        super().__init__(held)
         self.data = json.loads(held.form("json"))
         self.policy = self.data["policy"]
         self.criterion = self.data["criterion"]
@@ -95,13 +96,6 @@ class Check:
     def html(self) -> str:
         """The page that sce-check --output writes."""
         return self._held.html()
-
-    def json(self) -> str:
-        """What sce-check --format json prints."""
-        return self._held.form("json")
-
-    def __str__(self):
-        return self._held.form("text")
 
     def __repr__(self):
         words = ", ".join(f"{notion} {verdict.word}" for notion, verdict in self.verdicts.items() if verdict)

@@ -5,16 +5,18 @@ from typing import Any
 
 from folk import _folk
 from folk._options import Options
+from folk._pictures import Picture, svg_drawn
 from folk._records import frame
+from folk._results import Result
 
 
-class Evolution:
+class Evolution(Result):
     """What ipd-evolve tells of a population (docs/ipd-evolve.md). data: all of it. Of an evolution: strategies, names;
     generations; ranking, survivors; signature; populations, an array of shape (K, N) of the generations that were kept,
     which kept_generations, (K,), numbers. Of runs, fixation and stationary only data."""
 
     def __init__(self, held):
-        self._held = held
+        super().__init__(held)
         self.data = json.loads(held.form("json"))
         self.strategies = held.names
         self.kept_generations, self.populations = held.history()
@@ -27,12 +29,11 @@ class Evolution:
         dictionaries)."""
         return frame(self.data["ranking"])
 
-    def json(self) -> str:
-        """What ipd-evolve --format json prints."""
-        return self._held.form("json")
-
-    def __str__(self):
-        return self._held.form("text")
+    def plot(self, what=None) -> Picture:
+        """A picture: "populations" (the default) or "stack", "cooperation" where it is known, "simplex" of three
+        strategies; of fixation and stationary "fixation". Raises RendererMissing without gnuplot or Graphviz."""
+        what = what or ("populations" if len(self.kept_generations) else "fixation")
+        return Picture(svg_drawn(lambda folder: self._held.draw(folder, "svg"), what))
 
     def __repr__(self):
         return f"<folk.Evolution of {len(self.strategies)} strategies>"

@@ -6,9 +6,10 @@ import numpy
 
 from folk import _folk
 from folk._options import Options
+from folk._results import Result
 
 
-class Match:
+class Match(Result):
     """A match that was played, as ipd-match tells it (docs/ipd-match.md): everything is of the two seats, in order.
 
     players, moves ("CCD..." each), scores (points), means (points a round), cooperation_rates; running_scores, two numpy
@@ -17,8 +18,8 @@ class Match:
     """
 
     def __init__(self, held):
-        self._held = held
-        self.data = json.loads(held.json)
+        super().__init__(held)
+        self.data = json.loads(held.form("json"))
         for name in ("scores", "means", "cooperation_rates", "slips", "belief_accuracy", "moves", "players"):
             setattr(self, name, tuple(self.data[name]))
         self.rounds = self.data["rounds"]
@@ -31,13 +32,6 @@ class Match:
     @property
     def beliefs(self) -> tuple:
         return tuple(None if beliefs is None else numpy.array(beliefs, dtype=float) for beliefs in self.data["beliefs"])
-
-    def json(self) -> str:
-        """What ipd-match --format json prints."""
-        return self._held.json
-
-    def __str__(self):
-        return self._held.text(100)
 
     def __repr__(self):
         return "<folk.Match {0[0]} {1[0]}, {0[1]} {1[1]}>".format(self.players, self.scores)

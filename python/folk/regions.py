@@ -7,9 +7,10 @@ import numpy
 from folk import _folk
 from folk._options import Options
 from folk._pictures import Picture, svg_drawn_to
+from folk._results import Result
 
 
-class PayoffRegion:
+class PayoffRegion(Result):
     """What payoff-region tells of a game (docs/payoff-region.md); points are pairs (row's, column's), payoffs a round.
 
     feasible, individually_rational: corners, arrays of shape (K, 2); minmax, stage_equilibria, equilibria, tournament: as
@@ -17,7 +18,7 @@ class PayoffRegion:
     """
 
     def __init__(self, held):
-        self._held = held
+        super().__init__(held)
         self.data = json.loads(held.form("json"))
         self.feasible = numpy.array(self.data["feasible"], dtype=float)
         self.individually_rational = numpy.array(self.data["individually_rational"], dtype=float).reshape(-1, 2)
@@ -27,13 +28,6 @@ class PayoffRegion:
     def plot(self) -> Picture:
         """The picture. Raises RendererMissing without gnuplot."""
         return Picture(svg_drawn_to(self._held.draw))
-
-    def json(self) -> str:
-        """What payoff-region --format json prints."""
-        return self._held.form("json")
-
-    def __str__(self):
-        return self._held.form("text")
 
     def __repr__(self):
         return f"<folk.PayoffRegion of {self.data['game']}>"

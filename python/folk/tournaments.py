@@ -9,9 +9,10 @@ from folk import _folk
 from folk._options import Options
 from folk._pictures import Picture, svg_drawn
 from folk._records import frame, frame_of_columns
+from folk._results import Result
 
 
-class Tournament:
+class Tournament(Result):
     """A tournament that was played, as ipd-tournament tells it (docs/ipd-tournament.md).
 
     strategies: names, in the order of rows and columns. signature: 16 hexadecimal digits, those that the program prints.
@@ -28,7 +29,7 @@ class Tournament:
     """
 
     def __init__(self, held):
-        self.held = held
+        super().__init__(held)
         self._kept = {}
 
     def _once(self, name, make):
@@ -38,45 +39,45 @@ class Tournament:
 
     @property
     def strategies(self) -> List[str]:
-        return self._once("strategies", lambda: self.held.strategies)
+        return self._once("strategies", lambda: self._held.strategies)
 
     @property
     def signature(self) -> str:
-        return self.held.signature
+        return self._held.signature
 
     @property
     def scores(self) -> numpy.ndarray:
-        return self._once("scores", self.held.scores)
+        return self._once("scores", self._held.scores)
 
     @property
     def cooperations(self) -> numpy.ndarray:
-        return self._once("cooperations", self.held.cooperations)
+        return self._once("cooperations", self._held.cooperations)
 
     @property
     def normalised(self) -> numpy.ndarray:
-        return self._once("normalised", self.held.normalised)
+        return self._once("normalised", self._held.normalised)
 
     @property
     def behaviours(self) -> numpy.ndarray:
-        return self._once("behaviours", lambda: numpy.array(self.held.behaviours))
+        return self._once("behaviours", lambda: numpy.array(self._held.behaviours))
 
     @property
     def behaviour_scores(self) -> numpy.ndarray:
-        return self.held.behaviour_scores
+        return self._held.behaviour_scores
 
     @property
     def behaviour_cooperations(self) -> numpy.ndarray:
-        return self.held.behaviour_cooperations
+        return self._held.behaviour_cooperations
 
     @property
     def score_scale(self) -> float:
         """The least common denominator of the payoffs, by which behaviour_scores are multiplied."""
-        return self.held.score_scale
+        return self._held.score_scale
 
     @property
     def summary(self) -> Dict[str, Any]:
         """Settings, notes and ranking: what summary.json holds."""
-        return self._once("summary", lambda: json.loads(self.held.form("summary")))
+        return self._once("summary", lambda: json.loads(self._held.form("summary")))
 
     @property
     def ranking(self) -> Any:
@@ -88,7 +89,7 @@ class Tournament:
     def pairs(self) -> Any:
         """A row a pair that met: a, b (names), score_a, score_b, the shares CC, CD, DC, DD of its rounds (a's move first),
         figures (how they were obtained), standard_error_a, standard_error_b."""
-        columns = self.held.pairs()
+        columns = self._held.pairs()
         for seat in ("a", "b"):
             columns[seat] = [self.strategies[place] for place in columns[seat]]
         return frame_of_columns(columns)
@@ -96,16 +97,7 @@ class Tournament:
     def plot(self, what="payoffs") -> Picture:
         """A picture of up to 300 strategies: "payoffs" or "cooperation" (heat maps), or "scores" (boxes). Raises
         RendererMissing without gnuplot."""
-        if what not in ("payoffs", "cooperation", "scores"):
-            raise _folk.UsageError(f"plot '{what}': expected payoffs, cooperation or scores")
-        return Picture(svg_drawn(lambda folder: self.held.draw(folder, "svg"), what + ".svg"))
-
-    def json(self) -> str:
-        """What ipd-tournament --format json prints."""
-        return self.held.form("json")
-
-    def __str__(self):
-        return self.held.form("text")
+        return Picture(svg_drawn(lambda folder: self._held.draw(folder, "svg"), what))
 
     def __repr__(self):
         return f"<folk.Tournament of {len(self.strategies)} strategies, signature {self.signature}>"

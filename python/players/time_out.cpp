@@ -7,6 +7,9 @@ namespace {
 
 namespace py = pybind11;
 
+/// A signal that comes just before the call begins to wait wakes nobody, so it is sent again after this time.
+constexpr auto patience = std::chrono::seconds(1);
+
 /// True where SIGINT raises KeyboardInterrupt, which also ends a wait of the main thread.
 bool signals_raise() {
   const py::module_ signal = py::module_::import("signal");
@@ -47,14 +50,14 @@ void TimeOut::begin() {
     thread_ = ::pthread_self();
     in_main_thread_ = is_main_thread(caller);
   }
-  since_ = Clock::now();
+  due_ = Clock::now() + *most_;
   if (!watcher_.joinable()) watcher_ = std::thread([this] { watch(); });
 }
 
 bool TimeOut::end() {
   if (!most_) return false;
   const std::lock_guard lock(mutex_);
-  since_.reset();
+  due_.reset();
   if (!interrupted_) return false;
   interrupted_ = false;
   PyThreadState_SetAsyncExc(caller_, nullptr);
@@ -65,15 +68,15 @@ bool TimeOut::end() {
 void TimeOut::watch() {
   std::unique_lock lock(mutex_);
   while (!over_) {
-    const auto until = since_.value_or(Clock::now()) + *most_;
+    const auto until = due_.value_or(Clock::now() + *most_);
     changed_.wait_until(lock, until);
-    if (over_ || !since_ || interrupted_ || Clock::now() < *since_ + *most_) continue;
-    const auto call = since_;
+    if (over_ || !due_ || Clock::now() < *due_) continue;
+    const auto call = due_;
     lock.unlock();  // whoever holds the GIL may wait for the mutex
     {
       const py::gil_scoped_acquire acquired;
       const std::lock_guard again(mutex_);
-      if (since_ == call) interrupt();
+      if (due_ == call) interrupt();
     }
     lock.lock();
   }
@@ -81,6 +84,7 @@ void TimeOut::watch() {
 
 void TimeOut::interrupt() {
   interrupted_ = true;
+  due_ = Clock::now() + patience;
   if (in_main_thread_ && signals_raise())
     ::pthread_kill(thread_, SIGINT);
   else

@@ -34,8 +34,8 @@ private:
   std::optional<Clock::duration> most_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::optional<Clock::time_point> since_;  // of the call that is on
-  unsigned long caller_ = 0;                // Python's number of its thread
+  std::optional<Clock::time_point> due_;  // when the call that is on is interrupted, or interrupted again
+  unsigned long caller_ = 0;              // Python's number of its thread
   pthread_t thread_{};
   bool in_main_thread_ = false;
   bool interrupted_ = false;

@@ -1,5 +1,7 @@
 """Errors, progress, interruption, threads, memory: how a call into the library behaves."""
 
+import contextlib
+import io
 import os
 import shutil
 import signal
@@ -39,12 +41,25 @@ class Errors(unittest.TestCase):
             self.assertIsInstance(raised.exception, folk.Error)
             self.assertNotIn("\n", str(raised.exception))
 
-    def test_messages_are_the_programs(self):
+    def test_messages_are_the_programs_in_words_of_python(self):
         done = subprocess.run([os.path.join(os.environ["FOLK_BIN"], "ipd-tournament"), "--noise", "2"],
                               capture_output=True, text=True, check=False)
         with self.assertRaises(folk.UsageError) as raised:
             folk.tournament(noise=2)
-        self.assertIn(str(raised.exception), done.stderr)
+        self.assertEqual(f"ipd-tournament: {raised.exception}\n", done.stderr.replace("--noise '2'", "noise='2'"))
+
+    def test_arguments_are_called_as_they_were_given(self):
+        for call, begin in ((lambda: folk.check("pavlov", "pavlov", from_=0), "from_= (or from_=settled) '0': expected"),
+                            (lambda: folk.check("pavlov", "pavlov", class_="sct"), "class_=sct: no machine is in it"),
+                            (lambda: folk.check("pavlov", "pavlov", epsilon_payoff=-1), "epsilon_payoff='-1': expected"),
+                            (lambda: folk.evolve(individuals=3, population=4), "individuals= and population= contradict"),
+                            (lambda: folk.best_reply("pavlov,all_d", memory_one=True, horizon=4, criterion="mean"),
+                             "horizon= does not go with memory_one=: take finite:T"),
+                            (lambda: folk.evolve(start="all_c"), "start='all_c': expected NAME=N"),
+                            (lambda: folk.strategy("--noise 2"), "unknown strategy '--noise 2'")):
+            with self.assertRaises(folk.UsageError) as raised:
+                call()
+            self.assertTrue(str(raised.exception).startswith(begin), raised.exception)
 
 
 class Progress(unittest.TestCase):
@@ -58,6 +73,27 @@ class Progress(unittest.TestCase):
 
         with self.assertRaisesRegex(RuntimeError, "enough"):
             folk.tournament("memory(1,2)", rounds=100, progress=ends)
+
+    def test_a_notebook_shows_a_bar(self):
+        class Slow(folk.Player):
+            deterministic = True
+
+            def move(self):
+                time.sleep(0.02)
+                return "C"
+
+        class Page(io.StringIO):
+            """Stands for the stderr of a notebook, which is known by its module."""
+
+        Page.__module__ = "ipykernel.iostream"
+        with contextlib.redirect_stderr(Page()) as page:
+            folk.tournament([Slow, "all_c", "all_d", "tit_for_tat", "pavlov"], rounds=20, progress=False)
+            self.assertEqual(page.getvalue(), "")
+            folk.tournament([Slow, "all_c", "all_d", "tit_for_tat", "pavlov"], rounds=20)
+        drawn = page.getvalue().split("\r")
+        self.assertRegex(drawn[1], r"^playing 5 strategies \[[#-]{20}\]  ?\d+ %")
+        self.assertEqual((drawn[-2].strip(" "), drawn[-1]), ("", ""))  # nothing is left of it
+        self.assertGreaterEqual(len(drawn[-2]), len(drawn[-3].rstrip(" ")))
 
     def test_interruption_ends_within_a_second(self):
         before = threads()
@@ -94,6 +130,10 @@ class Threads(unittest.TestCase):
                 found.append(folk.tournament("memory(1,2)", rounds=100, threads=2).signature)
                 folk.match(lambda history: "D", "tit_for_tat", rounds=50)
                 folk.check("pavlov", "pavlov", criterion="discounted:0.6")
+                folk.evolve("all_c,all_d", rounds=10)
+                env = folk.mpe.BatchEnv("simple_tag", 64)
+                env.reset(seed=1)
+                env.step()
 
         workers = [threading.Thread(target=work) for _ in range(2)]
         for worker in workers:
@@ -175,11 +215,16 @@ class Pictures(unittest.TestCase):
     def test_are_svg(self):
         result = folk.tournament("tit_for_tat,all_d", rounds=10)
         for text in (result.plot()._repr_svg_(), result.plot("scores").svg, folk.strategy("pavlov")._repr_svg_(),
-                     folk.payoff_region(discount=0.9).plot().svg):
+                     folk.payoff_region(discount=0.9).plot().svg,
+                     folk.evolve("all_c,all_d,tit_for_tat", rounds=10).plot("simplex").svg,
+                     folk.evolve("all_c,all_d", model="birth-death", individuals=9, fixation=True).plot().svg):
             self.assertIn("<svg", text)
         self.assertIn("<html", folk.check("pavlov", "pavlov", criterion="discounted:0.6").html())
         self.assertIsNone(folk.strategy("sct")._repr_svg_())
-        self.assertRaises(folk.UsageError, result.plot, "pie")
+        with self.assertRaisesRegex(folk.UsageError, "plot 'pie': there are cooperation, payoffs, scores"):
+            result.plot("pie")
+        with self.assertRaisesRegex(folk.UsageError, "no picture of who took over"):
+            folk.evolve("all_c,all_d", model="birth-death", start="all_c=5,all_d=5", runs=2).plot()
 
 
 class Import(unittest.TestCase):

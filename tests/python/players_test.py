@@ -9,6 +9,8 @@ import unittest
 
 import folk
 
+SANITIZED = "FOLK_SANITIZED" in os.environ
+
 
 class TitForTat(folk.Player):
     deterministic = True
@@ -183,6 +185,19 @@ class Players(unittest.TestCase):
                 folk.tournament([player, "all_d"], rounds=5)
         self.assertEqual(threads(before), before)
         self.assertIs(signal.getsignal(signal.SIGINT), handler)
+
+        class Stubborn(Waits):
+            def move(self):
+                try:
+                    time.sleep(1000)
+                except KeyboardInterrupt:  # as if the signal had come before the wait began
+                    time.sleep(1000)
+
+        used = time.process_time()
+        with self.assertRaisesRegex(folk.EnvironmentError, r"move\(\) did not return within 0.2 s"):
+            folk.match(Stubborn, "all_d")
+        if not SANITIZED:
+            self.assertLess(time.process_time() - used, 0.5)  # nobody spins meanwhile
         raised = []
 
         def in_a_thread():

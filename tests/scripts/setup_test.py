@@ -45,7 +45,7 @@ class SetupTest(unittest.TestCase):
     def all_packages(self, *groups):
         lines = (SETUP.parent / "packages.txt").read_text().splitlines()
         rows = [line.split(None, 2) for line in lines if line and not line.startswith("#")]
-        self.assertTrue(all(len(row) == 3 and row[0] in ("run", "test", "docs", "site", "package", "mpi", "python", "ci") for row in rows), "group, package, why")
+        self.assertTrue(all(len(row) == 3 and row[0] in ("run", "test", "docs", "site", "package", "mpi", "python", "notebooks", "ci") for row in rows), "group, package, why")
         return [row[1] for row in rows if row[0] in groups]
 
     def test_nothing_missing_leaves_apt_alone_for_any_user(self):

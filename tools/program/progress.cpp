@@ -45,10 +45,33 @@ std::string progress_line(const std::string& what, double fraction, std::optiona
 
 ProgressBar::ProgressBar(std::string what, bool enabled)
     : what_(std::move(what)),
-      shows_(enabled && speaks() && ::isatty(STDERR_FILENO) == 1) {}
+      shows_(enabled && speaks() && ::isatty(STDERR_FILENO) == 1),
+      on_page_(false),
+      write_(show) {}
+
+ProgressBar::ProgressBar(std::string what, std::function<void(const std::string&)> write)
+    : what_(std::move(what)),
+      shows_(true),
+      on_page_(true),
+      write_(std::move(write)) {}
 
 ProgressBar::~ProgressBar() {
-  if (drawn_) show("\r\x1b[K");
+  try {
+    remove();
+  } catch (...) {  // a page that cannot be written to has nothing that could be in the way
+  }
+}
+
+void ProgressBar::draw(const std::string& line) {
+  const std::size_t longer = drawn_ > line.size() ? drawn_ - line.size() : 0;
+  write_("\r" + line + (on_page_ ? std::string(longer, ' ') : "\x1b[K"));
+  drawn_ = line.size();
+}
+
+void ProgressBar::remove() {
+  if (drawn_ == 0) return;
+  draw("");
+  if (on_page_) write_("\r");
 }
 
 void ProgressBar::operator()(double fraction) {
@@ -62,14 +85,12 @@ void ProgressBar::operator()(double fraction) {
   std::optional<double> left;
   if (fraction_ > 0) left = elapsed * (1 - fraction_) / fraction_;
   // The last column stays free: a terminal may wrap after it.
-  show("\r" + progress_line(what_, fraction_, left, terminal_width() - 1) + "\x1b[K");
-  drawn_ = true;
+  draw(progress_line(what_, fraction_, left, on_page_ ? 80 : terminal_width() - 1));
 }
 
 void ProgressBar::make_way() {
   const std::scoped_lock lock(mutex_);
-  if (drawn_) show("\r\x1b[K");
-  drawn_ = false;
+  remove();
 }
 
 }  // namespace folk::tools

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -24,10 +25,13 @@ std::size_t terminal_width();
 std::string duration(double seconds);
 
 /// Shows how far some work has got once it has lasted a second, a few times a second, and removes itself at the end.
-/// Shows nothing unless enabled and stderr is a terminal. Any thread may report; the highest fraction counts.
+/// Any thread may report; the highest fraction counts.
 class ProgressBar {
 public:
+  /// On stderr, where that is a terminal and `enabled` is set.
   ProgressBar(std::string what, bool enabled);
+  /// On a page that knows no more of terminals than that "\r" begins the line again; `write` adds to it.
+  ProgressBar(std::string what, std::function<void(const std::string&)> write);
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
   ~ProgressBar();
@@ -41,12 +45,17 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
+  void draw(const std::string& line);
+  void remove();
+
   std::string what_;
   bool shows_;
+  bool on_page_;
+  std::function<void(const std::string&)> write_;
   Clock::time_point begin_ = Clock::now();
   Clock::time_point next_ = begin_ + std::chrono::seconds(1);
   double fraction_ = 0;
-  bool drawn_ = false;
+  std::size_t drawn_ = 0;  ///< characters that stand there
   std::mutex mutex_;
 };
 

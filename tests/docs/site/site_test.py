@@ -1,4 +1,4 @@
-"""The site of scripts/docs as a reader meets it in Chromium: its search finds programs, no link is dead, pages fit.
+"""The site of scripts/docs, with the Python reference, as a reader meets it in Chromium: its search finds programs, no link is dead, pages fit.
 
 FOLK_SITE: the folder of the built site; FOLK_SITE_PICTURES: where to put pictures of pages, for the eye.
 """
@@ -19,7 +19,7 @@ from selenium.webdriver.support.ui import WebDriverWait
 
 SITE = Path(os.environ.get("FOLK_SITE", Path(__file__).resolve().parents[3] / "build" / "docs" / "html"))
 PAGES = ("index", "README", "gallery", "docs/ipd-tournament", "docs/sce-check", "docs/sct", "docs/performance",
-         "cpp/analysis-tournament")
+         "cpp/analysis-tournament", "py/tournaments", "py/mpe", "notebooks/tournament", "notebooks/particle_world")
 
 
 class Links(HTMLParser):
@@ -80,7 +80,8 @@ class Reader(unittest.TestCase):
         self.browser.get(urljoin(f"http://127.0.0.1:{self.server.server_address[1]}/", page))
 
     def test_search_finds_a_program(self):
-        for words, page in (("sce-check", "docs/sce-check.html"), ("play_tournament", "cpp/analysis-tournament.html")):
+        for words, page in (("sce-check", "docs/sce-check.html"), ("play_tournament", "cpp/analysis-tournament.html"),
+                            ("behaviour_scores", "py/tournaments.html"), ("Poacher", "notebooks/tournament.html")):
             self.open(f"search.html?q={words}")
             WebDriverWait(self.browser, 20).until(
                 lambda browser: browser.find_elements(By.CSS_SELECTOR, "#search-results li a"))
