@@ -37,10 +37,10 @@ void check_settlement(const ExaminationQuestion& question);
 /// Asks what `examine` asks from every round on, backwards from the last one until each notion is refuted. Of finite:T
 /// that is round T. Without an end what is played repeats, together with what the machines of the class would play: the
 /// last round is the one from which on nothing new comes. There machines without end are left out of the class.
-/// Own beliefs of who plans are looked through once, round by round; others' are searched by halving: a round from which
-/// on nothing was found to gain is taken to settle it.
-/// question.from does not count. Throws UsageError as check_settlement and `examine` do, where play does not repeat
-/// within most_settling_rounds, and for a pair with a machine without end under a criterion that has none.
+/// Own beliefs of who plans are looked through once, round by round; others' are searched by halving: a round from
+/// which on nothing was found to gain is taken to settle it. question.from does not count. Throws UsageError as
+/// check_settlement and `examine` do, where play does not repeat within most_settling_rounds, and for a pair with a
+/// machine without end under a criterion that has none.
 Settlement settlement(ExaminationQuestion question, const Stages& stages = nullptr);
 
 }  // namespace folk

@@ -1,6 +1,7 @@
 #pragma once
 // What a match reveals about a member of a complete class.
 
+#include <folk/analysis/replies/class_history.h>
 #include <folk/games/move.h>
 #include <folk/strategies/standard/memory_class.h>
 
@@ -24,14 +25,7 @@ public:
   void observe(Move own, Move theirs);
 
 private:
-  std::size_t gene() const;
-
-  unsigned own_memory_;    // of the member
-  unsigned their_memory_;  // of its opponent's moves
-  unsigned openings_;
-  std::uint32_t rounds_ = 0;   // past ones, as far as openings_
-  std::uint32_t members_ = 0;  // its last moves, the last one lowest, D = 1
-  std::uint32_t others_ = 0;
+  ClassHistory history_;
   boost::container::small_vector<std::int16_t, 20> lead_;  // of each gene, how much oftener C was seen than D
 };
 

@@ -30,11 +30,13 @@ WeightedItem weighted_item(const std::string& text) {
 }
 
 void add_known(OpponentPrior& prior, const std::vector<Strategy>& roster, double weight_of_each) {
-  for (const auto& strategy : roster) {
+  for (const auto& strategy : roster) prior.known.push_back({strategy, weight_of_each});
+}
+
+void require_machines(const OpponentPrior& prior) {
+  for (const auto& [strategy, weight] : prior.known)
     if (!strategy.machine)
       throw UsageError(fmt::format("{} is an opaque player: only machines can be learnt about", strategy.name));
-    prior.known.push_back({strategy, weight_of_each});
-  }
 }
 
 }  // namespace
@@ -43,10 +45,17 @@ OpponentPrior equal_prior(const std::vector<Strategy>& roster) {
   if (roster.empty()) throw UsageError("Bayesian play needs a roster of at least one strategy");
   OpponentPrior prior;
   add_known(prior, roster, 1);
+  require_machines(prior);
   return prior;
 }
 
 OpponentPrior read_prior(const Registry& registry, std::string_view spec, const Payoffs& payoffs) {
+  OpponentPrior prior = read_weighted_roster(registry, spec, payoffs);
+  require_machines(prior);
+  return prior;
+}
+
+OpponentPrior read_weighted_roster(const Registry& registry, std::string_view spec, const Payoffs& payoffs) {
   OpponentPrior prior;
   std::string rest;  // what has no weight is read as a roster is: nobody is there twice
   for (const auto& text : split_list(spec)) {

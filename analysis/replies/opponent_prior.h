@@ -13,7 +13,7 @@ namespace folk {
 /// Machines and complete classes with their weights, which need not add up to 1.
 struct OpponentPrior {
   struct Known {
-    Strategy strategy;  ///< a machine
+    Strategy strategy;  ///< a machine (an opaque player only from read_weighted_roster)
     double weight = 1;
   };
   struct Class {
@@ -32,6 +32,9 @@ OpponentPrior equal_prior(const std::vector<Strategy>& roster);
 /// alike; a strategy without a weight weighs 1. An item memory(X,Y) becomes a class, however large. Throws what
 /// Registry::roster and equal_prior throw, and UsageError for a weight that is no number above 0.
 OpponentPrior read_prior(const Registry& registry, std::string_view spec, const Payoffs& payoffs);
+
+/// The same, opaque players included: for who tells machines and players apart by itself.
+OpponentPrior read_weighted_roster(const Registry& registry, std::string_view spec, const Payoffs& payoffs);
 
 /// True when an item of the SPEC has a weight.
 bool has_weights(std::string_view spec);

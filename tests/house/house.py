@@ -13,11 +13,11 @@ WINGS = {
     "games": [[""], ["stage_games"]],
     "strategies": [[""], ["programs"], ["axelrod"], ["standard"]],
     "analysis": [["play"], ["crew"], ["tournament", "replies", "thresholds", "beliefs", "folk_theorem"], ["classes"],
-                 ["evolution", "equilibria"], ["pictures"]],
+                 ["evolution", "equilibria"], ["judgement", "pictures"]],
     "sct": [["files"], ["network"], ["data"], ["policy"], ["training"]],
     "mpe": [["world"], ["network"], ["players"], ["evaluation"], ["online", "data", "pictures"], ["offline"], ["study"]],
     "tools": [["description"], ["program"], ["choices"],
-              ["ipd_match", "ipd_strategies", "ipd_tournament", "ipd_evolve", "strategy_graph", "sct_train", "payoff_region",
+              ["ipd_match", "ipd_strategies", "ipd_tournament", "ipd_evolve", "ipd_judge", "strategy_graph", "sct_train", "payoff_region",
                "sce_check", "mpe_train", "mpe_evaluate"]],
     "python": [["bindings"], ["players"]],
 }

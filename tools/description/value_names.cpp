@@ -22,7 +22,7 @@ constexpr std::array all_values{
         "aggregate-repetitions steps hidden layers heads context batch warmup evaluate-every validation-repetitions "
         "validation-seed checkpoint-every depth episodes numpy-seed selection-seed episode transitions first-episode "
         "memory first-update update-every evaluation-episodes patience population "
-        "individuals generations runs evaluations most-kinds sample "
+        "individuals generations runs evaluations most-kinds sample show "
         "explore-every explore-matches remembered time-rows plan-depth "},
     Values{"X",
            " regret-temperature situation-temperature learning-rate final-learning-rate weight-decay clip return-scale "
@@ -30,10 +30,12 @@ constexpr std::array all_values{
            "epsilon-belief epsilon-payoff exploration final-exploration averaging dropout early resilience intensity "},
     Values{"P", " noise end-probability validation-noise aggregate-slip opponent-slip mutation "},
     Values{"SPEC", " player name command strategies include exclude opponents entrants class roster held-out "},
-    Values{"FILE",
-           " files game config log output curve record render replay medium prey-output picture tournament journal "},
+    Values{
+        "FILE",
+        " file files game config log output curve record render replay medium prey-output picture tournament journal "},
     Values{"DIR",
-           " folder data checkpoint ipd-tournament_output ipd-evolve_output sce-check_output mpe-evaluate_output "
+           " folder data checkpoint ipd-tournament_output ipd-evolve_output ipd-judge_output sce-check_output "
+           "mpe-evaluate_output "
            "mpe-train_collect_output "
            "mpe-train_study_output "},
     Values{"T=,R=,P=,S=", " payoffs "},
@@ -43,7 +45,7 @@ constexpr std::array all_values{
     Values{"N[:SAMPLES]", " sub-rosters "},
     Values{"K|settled", " from "},
     Values{"PLAYER", " predators prey "},
-    Values{"LIST", " targets mpe-train_study_only mpe-train_study_seeds seeds mark start "},
+    Values{"LIST", " targets mpe-train_study_only mpe-train_study_seeds seeds mark start slips "},
     Values{
         "NAME",
         " side require loss scenario reward-rule level dtype learner budget readout algorithm critic references title "

@@ -1,4 +1,5 @@
 #include <folk/tools/mpe_train/study_page.h>
+#include <folk/tools/program/html_document.h>
 
 #include <fmt/format.h>
 
@@ -112,16 +113,7 @@ std::string study_page(const mpe::StudyTables& main, const mpe::StudyTables& sec
   if (!pictures.missing.empty()) body += element_of("p", "none", "No pictures: " + pictures.missing) + "\n";
   body += heading(2, "How to read it") + reading_list();
   body += data_section(main, pictures) + data_section(second, pictures);
-  const Html head = Html::markup(
-                        "<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, "
-                        "initial-scale=1\">\n") +
-                    element("title", title) + "\n" + element("style", Html::markup(style)) + "\n";
-  return "<!DOCTYPE html>\n" +
-         element("html",
-                 Html("\n") + element("head", Html("\n") + head) + "\n" + element("body", Html("\n") + body) + "\n",
-                 {{"lang", "en"}})
-             .string() +
-         "\n";
+  return html_document(title, style, body);
 }
 
 }  // namespace folk::tools

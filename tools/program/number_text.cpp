@@ -16,6 +16,20 @@ std::string total_text(long double total) {
   return total == std::floor(total) ? number_text(total) : fmt::format("{:.4f}", static_cast<double>(total));
 }
 
+std::string payoff_text(double value) {
+  if (value == std::floor(value) && std::abs(value) < 1e15) return fmt::format("{:.0f}", value);
+  return std::abs(value) < 1e-3 ? fmt::format("{:.3g}", value) : fmt::format("{:.4f}", value);
+}
+
+std::string share_text(const std::optional<double>& share) {
+  return share ? fmt::format("{:.2f} %", 100 * *share) : "-";
+}
+
+std::string measure_text(const std::optional<double>& value) {
+  if (!value) return "-";
+  return std::isfinite(*value) ? fmt::format("{:.4g}", *value) : "infinite";
+}
+
 std::string json_string(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }

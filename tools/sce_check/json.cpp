@@ -1,25 +1,15 @@
 // What sce-check found, as JSON.
 
 #include <folk/games/outcome.h>
+#include <folk/tools/program/json_values.h>
 #include <folk/tools/sce_check/output.h>
 
 #include <folk/strategies/machine_text.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace folk::tools {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-template <class Value>
-Json optional(const std::optional<Value>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
-/// JSON has no infinity.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json("infinity"); }
 
 /// The moves of both as two strings.
 Json moves_of(const std::vector<Outcome>& rounds) {
@@ -47,22 +37,6 @@ Json states_of(const OpponentReport& report) {
   for (const auto& state : report.states)
     states.push_back({{"after", history_text(state.history)}, {"own", state.own}, {"theirs", state.theirs}});
   return states;
-}
-
-Json belief_of(const std::optional<BeliefConsistency>& belief) {
-  if (!belief) return nullptr;
-  Json bins = Json::array();
-  for (const auto& bin : belief->bins)
-    bins.push_back(
-        {{"count", bin.count}, {"mean_belief", optional(bin.mean_belief())}, {"frequency", optional(bin.frequency())}});
-  return {{"sup_tv", belief->largest_distance},
-          {"mean_tv", optional(belief->mean_distance())},
-          {"accuracy", optional(belief->accuracy())},
-          {"log_loss", belief->log_loss() ? number(*belief->log_loss()) : Json(nullptr)},
-          {"brier", optional(belief->brier())},
-          {"settled_from", optional(belief->settled_from())},
-          {"wrong_rounds", belief->wrong_rounds},
-          {"calibration", bins}};
 }
 
 Json gaps_of(const SideGaps& gaps) {
@@ -165,7 +139,7 @@ Json settled_of(const SettledNotions& notions) {
   for (std::size_t n = 0; n < all_notions.size(); ++n) {
     const auto& settled = notions[n];
     object[std::string(to_string(all_notions[n]))] =
-        settled ? Json{{"from", optional(settled->from)},
+        settled ? Json{{"from", json_optional(settled->from)},
                        {"word", settled->verdict == Verdict::certified     ? "certified"
                                 : settled->verdict == Verdict::not_refuted ? "not refuted"
                                                                            : "refuted"}}
@@ -183,7 +157,7 @@ Json opponent_of(const OpponentReport& report, const SceQuestion& question) {
                  {"path", path_of(report)},
                  {"information_states", states_of(report)},
                  {"information_states_in_all", report.states.empty() ? Json(nullptr) : Json(report.all_states)},
-                 {"belief", belief_of(report.belief)},
+                 {"belief", belief_json(report.belief)},
                  {"gaps", {{"own", gaps_of(report.gaps.first)}, {"theirs", gaps_of(report.gaps.second)}}},
                  {"thresholds", thresholds_of(thresholds, [](const auto& set) { return to_numbers(set); })},
                  {"thresholds_exact", thresholds_of(thresholds, [](const auto& set) { return to_exact_texts(set); })},
@@ -211,14 +185,14 @@ Json extracted_of(const SceQuestion& question, const std::optional<ExtractedMach
   Json tried = Json::array();
   for (const auto& one : extracted->tried)
     tried.push_back({{"states", one.machine.size()},
-                     {"played_alike", optional(one.matches.played())},
+                     {"played_alike", json_optional(one.matches.played())},
                      {"told_alike", one.matches.told()}});
   return {{"machine", machine_file(question, *extracted)},
           {"states", chosen.machine.size()},
-          {"played_alike", optional(chosen.matches.played())},
+          {"played_alike", json_optional(chosen.matches.played())},
           {"told_alike", chosen.matches.told()},
           {"unseen", extracted->unseen_name},
-          {"unseen_played_alike", optional(extracted->unseen.played())},
+          {"unseen_played_alike", json_optional(extracted->unseen.played())},
           {"unseen_told_alike", extracted->unseen.told()},
           {"differences", differences},
           {"tried", tried}};
@@ -243,7 +217,7 @@ void write_json(std::ostream& out, const SceQuestion& question, const SceReport&
                  {"left_out", question.left_out},
                  {"opponents", opponents},
                  {"overall",
-                  {{"belief", belief_of(report.belief)},
+                  {{"belief", belief_json(report.belief)},
                    {"belief_effect", effect_of(report.effect)},
                    {"verdicts", verdicts_of(report.verdicts, &report.worst)}}},
                  {"extracted", extracted_of(question, report.extracted)}};

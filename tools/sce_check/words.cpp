@@ -35,20 +35,6 @@ Look look_of(const std::optional<Certificate>& verdict) {
 
 }  // namespace
 
-std::string payoff_text(double value) {
-  if (value == std::floor(value) && std::abs(value) < 1e15) return fmt::format("{:.0f}", value);
-  return std::abs(value) < 1e-3 ? fmt::format("{:.3g}", value) : fmt::format("{:.4f}", value);
-}
-
-std::string share_text(const std::optional<double>& share) {
-  return share ? fmt::format("{:.2f} %", 100 * *share) : "-";
-}
-
-std::string measure_text(const std::optional<double>& value) {
-  if (!value) return "-";
-  return std::isfinite(*value) ? fmt::format("{:.4g}", *value) : "infinite";
-}
-
 std::string side_text(const std::string& policy, const std::string& opponent, Seat side) {
   if (policy == opponent) return side == Seat::first ? "the first" : "the second";
   return side == Seat::first ? policy : opponent;

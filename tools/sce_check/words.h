@@ -2,6 +2,7 @@
 // What sce-check found, in words and numbers for people.
 
 #include <folk/tools/program/html.h>
+#include <folk/tools/program/number_text.h>
 #include <folk/tools/sce_check/output.h>
 
 #include <optional>
@@ -10,15 +11,6 @@
 #include <vector>
 
 namespace folk::tools {
-
-/// A payoff: "3", "2.6667".
-std::string payoff_text(double value);
-
-/// A share of 1: "97.59 %"; "-" where there is none.
-std::string share_text(const std::optional<double>& share);
-
-/// A distance or a loss: "0.1234", "infinite"; "-" where there is none.
-std::string measure_text(const std::optional<double>& value);
 
 /// "the policy" or the opponent's name.
 std::string side_text(const std::string& policy, const std::string& opponent, Seat side);

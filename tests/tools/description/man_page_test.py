@@ -9,7 +9,7 @@ from pathlib import Path
 
 BIN = Path(os.environ["FOLK_BIN"]).resolve()
 PAGES = sorted((BIN.parent / "share/man/man1").glob("*.1"))
-COMMANDS = ("ipd-tournament", "ipd-match", "ipd-strategies", "ipd-evolve", "strategy-graph", "sct-train", "payoff-region", "sce-check",
+COMMANDS = ("ipd-tournament", "ipd-match", "ipd-strategies", "ipd-evolve", "ipd-judge", "strategy-graph", "sct-train", "payoff-region", "sce-check",
             "mpe-train", "mpe-evaluate", "mpe-train online", "mpe-train curve", "mpe-train collect", "mpe-train inspect",
             "mpe-train offline", "mpe-train study")
 SECTIONS = ["NAME", "SYNOPSIS", "DESCRIPTION", "OPTIONS", "EXIT STATUS", "ENVIRONMENT", "FILES", "EXAMPLES", "SEE ALSO"]

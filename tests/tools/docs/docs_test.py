@@ -23,7 +23,7 @@ UPDATE = os.environ.get("FOLK_DOCS_UPDATE") == "1"
 BLOCK = re.compile(r"^```(.*)\n((?:(?!```).*\n)*)```$", re.MULTILINE)
 LONG = "console long"
 # What a page takes for granted.
-PROGRAMS = ("ipd-match", "ipd-strategies", "ipd-tournament", "mpe-evaluate", "mpe-train", "payoff-region", "sce-check", "sct-train",
+PROGRAMS = ("ipd-judge", "ipd-match", "ipd-strategies", "ipd-tournament", "mpe-evaluate", "mpe-train", "payoff-region", "sce-check", "sct-train",
             "strategy-graph")
 # As mpirun may be run by anybody on any machine.
 MPI = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1"}

@@ -9,12 +9,13 @@ import unittest
 from pathlib import Path
 
 BIN = Path(os.environ["FOLK_BIN"])
-PROGRAMS = ("ipd-tournament", "ipd-evolve", "ipd-match", "ipd-strategies", "strategy-graph", "sct-train", "mpe-evaluate")
+PROGRAMS = ("ipd-tournament", "ipd-evolve", "ipd-judge", "ipd-match", "ipd-strategies", "strategy-graph", "sct-train", "mpe-evaluate")
 
 # What each program needs to run at all, so that one wrong thing more is the only wrong thing.
 ENOUGH = {
     "ipd-tournament": (),
     "ipd-evolve": ("--strategies", "all_c,all_d"),
+    "ipd-judge": (str(Path(__file__).resolve().parents[3] / "examples/language_model.csv"),),
     "ipd-match": ("all_c", "all_d"),
     "ipd-strategies": ("list",),
     "strategy-graph": ("pavlov", "-o", "/dev/null"),
@@ -186,7 +187,7 @@ class WrongUsage(Errors):
         self.refused(2, "--no-self-play=yes", says="--no-self-play")
 
     def test_formats(self):
-        for program in ("ipd-tournament", "ipd-evolve", "ipd-match", "ipd-strategies"):
+        for program in ("ipd-tournament", "ipd-evolve", "ipd-judge", "ipd-match", "ipd-strategies"):
             for form in ("xml", "", "JSON"):
                 arguments = (*ENOUGH[program], "--format", form)
                 self.refused(2, *arguments, program=program, says=("--format", "text, csv, json"))

@@ -23,6 +23,8 @@ RUNS = {
                        {"out/ranking.csv", "out/scores.csv", "out/cooperation.csv", "out/pairs.csv", "out/summary.json"}),
     "ipd-evolve": (("--strategies", "all_c,all_d,tit_for_tat", "--rounds", "20", "--threads", "4", "--output", "out", "--journal", "j"),
                    {"out/ranking.csv", "out/populations.csv", "out/cooperation.csv", "out/summary.json", "j"}),
+    "ipd-judge": ((str(Path(__file__).resolve().parents[3] / "examples/language_model.csv"), "--threads", "4", "--output", "out"),
+                  {"out/report.html", "out/report.json"}),
     "ipd-match": ((f'exec:"{PLAYER}"', "pavlov", "--rounds", "5"), set()),
     "ipd-strategies": (("list", "--format", "csv"), set()),
     "strategy-graph": (("mem2", "-o", "a.dot"), {"a.dot"}),

@@ -31,6 +31,7 @@ LINES = [
     ("ipd-tournament", "--strategies", "x=all_c,all_d,pavlov", "--criterion", "discounted:0.9", "--invasion", "--sub-rosters", "2:2", "--threads",
      "1"),
     ("ipd-tournament", "--strategies", "@f/roster", "--noise", "0.01", "--repetitions", "2", "--rounds", "5", "--output", "w/out", "--threads", "1"),
+    ("ipd-judge", "f/play.csv", "--strategies", "x=all_c,gtft(1/3),2*memory(1,2)", "--slips", "0,0.1", "--output", "w/judged", "--threads", "1"),
     ("ipd-strategies", "show", "pavlov"), ("ipd-strategies", "diff", "spiteful", "mem11_cCDDD", "--any-own-moves"),
     ("ipd-strategies", "reply", "pavlov", "--criterion", "discounted:0.9", "--noise", "0.1", "--format", "json"),
     ("strategy-graph", "gradual", "--horizon", "3", "-o", "w/g.dot"), ("payoff-region", "--discount", "0.6", "--format", "json"),
@@ -53,6 +54,7 @@ READERS = [
     ("predators", "mpe-evaluate", "--predators", "m", "--prey", "still", "--episodes", "1", "--threads", "1"),
     ("prey", "mpe-evaluate", "--scenario", "simple_world", "--predators", "lead_pursuit", "--prey", "m", "--episodes", "1", "--threads", "1"),
     ("transformer", "mpe-evaluate", "--predators", "m", "--prey", "still", "--episodes", "1", "--threads", "1"),
+    ("play.csv", "ipd-judge", "m", "--strategies", "all_c,memory(1,2)", "--threads", "1"),
     ("curve.csv", "mpe-train", "curve", "m", "--output", "w/c.svg"),
 ]
 NUMBERS = ["0", "1", "-1", "0.5", "1/3", "1e-9", "1e400", "-0", "nan", "inf", "0x10", "1e", "1/0", "18446744073709551616", "1e15", "1e16", "0.1.2",
@@ -96,7 +98,7 @@ class Random(unittest.TestCase):
         files.mkdir()
         corpus = TREE / "tests/fuzz/corpus"
         for name, source in (("policy.bin", corpus / "policy/smallest"), ("predators", corpus / "particle_policy/predators"), ("prey", corpus / "particle_policy/prey"),
-                             ("transformer", corpus / "particle_policy/transformer"), ("curve.csv", corpus / "curve_file/two"), ("recording", corpus / "recording/tag"),
+                             ("transformer", corpus / "particle_policy/transformer"), ("curve.csv", corpus / "curve_file/two"), ("play.csv", corpus / "recorded_play/letters"), ("recording", corpus / "recording/tag"),
                              ("game.nfg", TREE / "tests/data/dilemma_9_10.nfg"), ("my.machines", TREE / "examples/my_strategies.machines")):
             shutil.copy(source, files / name)
         (files / "roster").write_text("tit_for_tat\nall_d # a comment\nmem1(c;0.9,0.1,0.6,0.2)\n")
