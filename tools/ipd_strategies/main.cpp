@@ -258,10 +258,10 @@ Program ipd_strategies() {
   program.summary =
       "list: every strategy, roster and family, with what can be computed of it, or those of SPEC. show: all that is\n"
       "known of one, with its machine. diff: proves that two strategies answer alike, or prints the shortest play of\n"
-      "the opponent that separates them. same: those of SPEC that answer alike, each group proved. equilibria:\n"
-      "the exact discount factors at which each of SPEC is in equilibrium with its copy. reply: the best reply to a\n"
+      "the opponent that separates them. same: those of SPEC that answer alike, each group proved. equilibria: the\n"
+      "exact discount factors at which each of SPEC is in equilibrium with its copy. reply: the best reply to a\n"
       "machine, or with --memory-one the best memory-one reply that is found to several. champion: the member of a\n"
-      "complete class that earns most against all of them, proved up to memory(2,2), else as a search finds it. NAME "
+      "complete class that earns most against all of them, proved up to memory(2,2), else as a search finds it. NAME\n"
       "is a strategy, @FILE or @FILE#MACHINE (@- is the standard input); LABEL=NAME renames it.";
   program.examples = {"ipd-strategies list",
                       "ipd-strategies list 'sample(memory(2,2);5;seed=7)'",

@@ -153,7 +153,7 @@ class Diff(unittest.TestCase):
         done = subprocess.run([Path(os.environ["FOLK_BIN"]) / "sce-check", "pavlov", "pavlov", "--criterion", "discounted:0.9",
                                "--format", "json"], capture_output=True, text=True, timeout=60)
         whole = json.loads(run("equilibria", "pavlov", "--format", "json").stdout)["entrants"][0]
-        self.assertEqual(whole["thresholds_exact"], json.loads(done.stdout)["thresholds_exact"])
+        self.assertEqual(whole["thresholds_exact"], json.loads(done.stdout)["opponents"][0]["thresholds_exact"])
 
     def test_first_moves(self):
         self.assertEqual(text("diff", "tit_for_tat", "mistrust"),
