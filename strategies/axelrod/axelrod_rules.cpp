@@ -168,7 +168,7 @@ const std::vector<Entry>& entries() {
       {{"second_by_yamachi", {"yamachi"}, "what they played more often in the same situation; late, D against who defects half the time", second}, played<Yamachi>},
       {{"second_by_leyvraz", {"leyvraz"}, "C with a probability by their last three moves: 1, 1/2, 0, 1/4, 1, 1, 1, 1/4 from C, C, C to D, D, D", second}, finite<Leyvraz>},
       {{"second_by_black", {"black"}, "C 5 times; then the less often, the more D were in their last 5 moves", second}, finite<Black>},
-      {{"second_by_champion", {"champion"}, "C 10 times, tit_for_tat to round 25; then D after D as often as they defect, if that is often", second}, drawn<Champion>},
+      {{"second_by_champion", {"champion"}, "C 10 times, tit_for_tat to round 25; then D after D as often as they defect, if that is often", second}, drawn<SecondChampion>},
       {{"second_by_eatherley", {"eatherley"}, "D after D as often as they defect", second}, drawn<Eatherley>},
       {{"second_by_getzler", {"getzler"}, "D with a probability to which each D of theirs adds a half, a quarter and so on", second}, drawn<Getzler>},
       {{"second_by_cave", {"cave"}, "D against who defects often; else D after every second D", second}, drawn<Cave>},

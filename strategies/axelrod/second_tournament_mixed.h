@@ -12,7 +12,7 @@
 namespace folk {
 
 /// Champion: C ten times, tit_for_tat to round 25; then D after a D as often as they defect, if that is often.
-class Champion {
+class SecondChampion {
 public:
   double cooperation() const {
     const std::size_t rounds = theirs_.size();

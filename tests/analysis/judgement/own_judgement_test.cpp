@@ -1,4 +1,3 @@
-#include "cases.h"
 #include "made_play.h"
 #include "strategies/named.h"
 
@@ -50,7 +49,7 @@ TEST(OwnJudgement, ListsWhoAgreesAndRanksTheOthers) {
 /// Plays of known strategies with slips of 0 to 0.1, each 50 rounds or more of one match with somebody who tries
 /// everything. Where others could have played just the same they are as likely, and count as found.
 TEST(OwnJudgement, FindsWhoPlayed) {
-  const std::uint64_t plays = test::cases(1000U);
+  constexpr std::uint64_t plays = 1000;  // also under sanitizers: a share of 95 % is not seen in fewer
   const auto found = candidates(
       "classics,grudger,spiteful_cc,tft_spiteful,winner12,winner21,axelrod_alternator,axelrod_spiteful_cc,"
       "axelrod_winner21,mathieu_spiteful,gradual_soft,mem2_sct,mem11_cCDCD",
