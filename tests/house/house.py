@@ -224,6 +224,21 @@ def check_headers(root):
             yield f"{path}:2: a header says what it is in a comment at its top"
 
 
+def check_names(root):
+    """Two types of one name in one namespace are one to the linker, which takes either's functions for both."""
+    known = {}
+    for path, text in source_files(root):
+        if path.suffix != ".h" or path.parts[0] not in LIBRARIES:
+            continue
+        plain = without_comments(text, strings_too=True)
+        space = re.search(r"^namespace ([\w:]+) \{", plain, re.MULTILINE)
+        for match in re.finditer(r"^(?:struct|class|enum class) (\w+)(?: final)?\s*[:{]", plain, re.MULTILINE):
+            name = f"{space[1] if space else ''}::{match[1]}"
+            if name in known:
+                yield f"{path}:{plain.count(chr(10), 0, match.start()) + 1}: {name} is already in {known[name]}"
+            known.setdefault(name, path)
+
+
 def check_library_code(root):
     for path, text in source_files(root):
         if path.parts[0] not in LIBRARIES:
@@ -236,7 +251,7 @@ def check_library_code(root):
 
 
 CHECKS = [check_includes, check_wings, check_circles, check_sizes, check_tests, check_links, check_folders, check_headers,
-          check_library_code]
+          check_names, check_library_code]
 
 
 def violations(root):

@@ -119,6 +119,13 @@ class HouseTest(unittest.TestCase):
     def test_a_header_without_its_opening_comment(self):
         self.assert_one({"games/wrong.h": "#pragma once\n\nint f();\n"}, "comment at its top")
 
+    def test_two_types_of_one_name(self):
+        champion = HEADER + "namespace folk%s {\nclass Champion final : public Machine {\n};\n}\n"
+        self.assert_one({"strategies/a.h": champion % "", "analysis/classes/a.h": champion % ""}, "folk::Champion is already in")
+        self.assertEqual(found_with({"strategies/a.h": champion % "", "mpe/world/a.h": champion % "::mpe"}), [])
+        forward = HEADER + "namespace folk {\nclass Champion;\n}\n"
+        self.assertEqual(found_with({"strategies/a.h": champion % "", "strategies/b.h": forward}), [])
+
     def test_what_library_code_never_does(self):
         for line in ("std::cout << 1;", "std::cerr << 1;", 'printf("%d", 1);', 'std::fprintf(stderr, "a");',
                      'fmt::print("a");', "exit(1);", "std::exit(1);", "std::abort();", "std::random_device device;",
